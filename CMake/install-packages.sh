@@ -1,0 +1,44 @@
+#!/bin/sh
+# install-packages.sh [vtk] [paraview]: installs the Debian packages that the VTK build, the
+# ParaView build or (default) both need. Needs root or sudo, and the network, only if one is
+# missing. python3-paraview is not among them: see paraview-prefix.sh.
+set -e
+common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev python3 python3-numpy
+  xvfb xauth"
+vtk="libvtk9-dev python3-vtk9"
+paraview="paraview paraview-dev dpkg-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
+  libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev"
+
+wanted=$common
+[ $# -gt 0 ] || set -- vtk paraview
+for build; do
+  case $build in
+    vtk) wanted="$wanted $vtk" ;;
+    paraview) wanted="$wanted $paraview" ;;
+    *) sed -n '2s/^# //p' "$0" >&2; exit 2 ;;
+  esac
+done
+
+missing=
+for package in $wanted; do
+  case $(dpkg-query -W -f='${Status}' "$package" 2>/dev/null) in
+    *" installed") ;;
+    *) missing="$missing $package" ;;
+  esac
+done
+[ -n "$missing" ] || exit 0
+
+if ! command -v apt-get >/dev/null; then
+  echo "install-packages.sh: this is not Debian (no apt-get). Please install:$missing" >&2
+  exit 1
+elif [ "$(id -u)" -eq 0 ]; then
+  sudo=
+elif command -v sudo >/dev/null; then
+  sudo=sudo
+else
+  echo "install-packages.sh: neither root nor sudo. Please have installed:$missing" >&2
+  exit 1
+fi
+$sudo apt-get update -q
+# shellcheck disable=SC2086 # a list of words
+$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing

@@ -1,0 +1,19 @@
+"""Variational anisotropic surface remeshing with VTK.
+
+    from anisotropic_remeshing import vtkAnisotropicRemesher
+"""
+from .vtkFiltersAnisotropicRemeshing import (
+    vtkAnisotropicRemesher,
+    vtkEmbeddedSurfaceAlgorithm,
+    vtkGaussMapEmbedding,
+    vtkRestrictedVoronoiAlgorithm,
+    vtkRestrictedVoronoiDiagram,
+)
+
+__all__ = [
+    "vtkAnisotropicRemesher",
+    "vtkEmbeddedSurfaceAlgorithm",
+    "vtkGaussMapEmbedding",
+    "vtkRestrictedVoronoiAlgorithm",
+    "vtkRestrictedVoronoiDiagram",
+]
