@@ -1,0 +1,165 @@
+"""TestPlugin.py PLUGIN OUTPUT_FOLDER (pvbatch): the three filters through the plugin.
+
+The XML agrees with the C++ classes (defaults, ranges, nothing left out), the five outputs have
+their names and arrays, and array selection, the second input and rendering work.
+"""
+import os
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+
+PLUGIN, OUTPUT_FOLDER = sys.argv[1:3]
+LoadPlugin(PLUGIN, remote=False, ns=globals())
+
+PORTS = ["Surface", "VoronoiCells", "Sites", "Convergence", "Edges"]
+SITE_ARRAYS = {"SiteId", "MergedSiteId", "PatchId", "Weight", "Embedding", "CellArea", "CellMass",
+               "CellEnergy", "Centroid", "NumberOfNeighbors"}
+CELL_ARRAYS = {"SiteId", "MergedSiteId", "ComponentId", "PatchId", "InputCellId", "CellArea",
+               "CellMass", "CellEnergy"}
+SURFACE_ARRAYS = {"SiteId", "ComponentId", "CellArea", "CellMass", "CellEnergy", "Embedding",
+                  "Normals"}
+COLUMNS = {"Iteration", "Energy", "GradientNorm", "StepLength", "Time"}
+
+
+def fetch(source, port=0):
+    return servermanager.Fetch(OutputPort(source, port))
+
+
+def names(attributes):
+    return {attributes.GetArrayName(i) for i in range(attributes.GetNumberOfArrays())}
+
+
+def check_against_class(source, name):
+    """Defaults and ranges of the properties are the class's; no Set method lacks a property."""
+    try:
+        import anisotropic_remeshing
+    except ImportError:
+        print("not wrapped: the defaults are not compared")
+        return
+    from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
+    cls = getattr(anisotropic_remeshing, name)
+    fresh = cls()
+    # Reached otherwise: connections are inputs, the embedding array is an input array to process.
+    elsewhere = {"EmbeddingArray", "InitialSitesConnection", "InitialSitesData",
+                 "SitesConnection", "SitesData"}
+    parameters = {m[3:] for m in set(dir(cls)) - set(dir(vtkPolyDataAlgorithm))
+                  if m.startswith("Set")} - elsewhere
+    # By value, for an enumeration is set with `SetNameToValue`.
+    parameters = {p for p in parameters if hasattr(cls, "Get" + p)}
+    assert "Anisotropy" in parameters
+    for parameter in sorted(parameters):
+        prop = source.SMProxy.GetProperty(parameter)
+        assert prop, f"{name}: no property for Set{parameter}"
+        expected = getattr(fresh, "Get" + parameter)()
+        assert prop.GetElement(0) == expected, \
+            f"{name}.{parameter}: {prop.GetElement(0)} in XML, {expected} in C++"
+        domain = prop.FindDomain("vtkSMIntRangeDomain") or prop.FindDomain("vtkSMDoubleRangeDomain")
+        if domain and hasattr(fresh, f"Get{parameter}MaxValue"):
+            for bound, exists, value in (
+                    ("Min", domain.GetMinimumExists, domain.GetMinimum),
+                    ("Max", domain.GetMaximumExists, domain.GetMaximum)):
+                limit = getattr(fresh, f"Get{parameter}{bound}Value")()
+                if parameter != "NumberOfPoints":  # XML asks for 4, the least that can work
+                    assert exists(0) and value(0) == limit, f"{name}.{parameter}: {bound} {limit}"
+
+
+def check_diagram(source, sites):
+    """Counts and identities that hold for a closed surface of genus 0 with `sites` sites."""
+    got = [source.SMProxy.GetOutputPortName(i) for i in range(source.SMProxy.GetNumberOfOutputPorts())]
+    assert got == PORTS, got
+    surface, cells, points, table, edges = (fetch(source, i) for i in range(5))
+    assert surface.GetNumberOfPoints() == sites, surface.GetNumberOfPoints()
+    assert surface.GetNumberOfCells() == 2 * sites - 4, surface.GetNumberOfCells()
+    assert points.GetNumberOfPoints() == points.GetNumberOfCells() == sites
+    assert cells.GetNumberOfCells() >= sites and edges.GetNumberOfCells() > 0
+    assert SURFACE_ARRAYS <= names(surface.GetPointData()), names(surface.GetPointData())
+    assert CELL_ARRAYS <= names(cells.GetCellData()), names(cells.GetCellData())
+    assert SITE_ARRAYS <= names(points.GetPointData()), names(points.GetPointData())
+    assert {"EdgeType", "SiteId"} <= names(edges.GetCellData()), names(edges.GetCellData())
+    assert COLUMNS <= names(table.GetRowData()), names(table.GetRowData())
+    return surface, points, table
+
+
+def total(array):
+    return sum(array.GetTuple1(i) for i in range(array.GetNumberOfTuples()))
+
+
+sphere = Sphere(ThetaResolution=40, PhiResolution=40)
+
+# --- The remesher --------------------------------------------------------------------------------
+remesher = AnisotropicRemesher(Input=sphere)
+check_against_class(remesher, "vtkAnisotropicRemesher")
+remesher.NumberOfPoints = 300
+remesher.LloydIterations = 10
+surface, points, table = check_diagram(remesher, 300)
+assert table.GetNumberOfRows() == 11
+assert points.GetPointData().GetArray("Embedding").GetNumberOfComponents() == 6
+areas = [total(d.GetPointData().GetArray("CellArea")) for d in (surface, points)]
+assert abs(areas[0] - areas[1]) < 1e-10 * areas[0], areas
+assert list(remesher.Normals) == ["POINTS", "Normals"], list(remesher.Normals)
+assert list(remesher.EmbeddingArray)[1] in ("", "None"), list(remesher.EmbeddingArray)
+
+# No normals, other parameters; the same again is the same.
+remesher.Normals = ["POINTS", "None"]
+remesher.SamplingMethod = "Random"
+remesher.Seed = 7
+remesher.SMPBackend = "Sequential"
+other = fetch(remesher, 2).GetPoint(0)
+assert other != points.GetPoint(0)
+remesher.SMPBackend = "STDThread"
+remesher.NumberOfThreads = 2
+assert fetch(remesher, 2).GetPoint(0) == other
+
+# Outputs switched off stay, but empty.
+remesher.GenerateVoronoiCells = 0
+remesher.GenerateEdges = 0
+assert fetch(remesher, 1).GetNumberOfCells() == fetch(remesher, 4).GetNumberOfCells() == 0
+
+# Coordinate arrays are appended; isotropic: position alone.
+elevation = Elevation(Input=sphere)
+appended = AnisotropicRemesher(Input=elevation, NumberOfPoints=100, LloydIterations=2,
+                               CoordinateArrays=["Elevation", "0.5"])
+assert list(appended.EmbeddingArray)[1] in ("", "None"), "active scalars chosen as the embedding"
+_, points, _ = check_diagram(appended, 100)
+assert points.GetPointData().GetArray("Embedding").GetNumberOfComponents() == 7
+assert "Elevation" in names(fetch(appended).GetPointData())
+appended.CoordinateArrays = []
+appended.Embedding = "Position"
+_, points, _ = check_diagram(appended, 100)
+assert points.GetPointData().GetArray("Embedding").GetNumberOfComponents() == 3
+
+# --- The embedding, used again by the remesher and as sites of the diagram -----------------------
+embedding = GaussMapEmbedding(Input=sphere, Anisotropy=0.1)
+check_against_class(GaussMapEmbedding(Input=sphere), "vtkGaussMapEmbedding")
+assert fetch(embedding).GetPointData().GetArray("Embedding").GetNumberOfComponents() == 6
+again = AnisotropicRemesher(Input=embedding, NumberOfPoints=150, LloydIterations=5,
+                            EmbeddingArray=["POINTS", "Embedding"])
+check_diagram(again, 150)
+
+diagram = RestrictedVoronoiDiagram(Input=sphere, Sites=OutputPort(remesher, 2))
+check_against_class(diagram, "vtkRestrictedVoronoiDiagram")
+_, _, table = check_diagram(diagram, 300)
+assert table.GetNumberOfRows() == 1
+
+# --- Initial sites: taken, and given back ---------------------------------------------------------
+resumed = AnisotropicRemesher(Input=sphere, NumberOfPoints=200, LloydIterations=1,
+                              InitialSites=OutputPort(remesher, 2))
+check_diagram(resumed, 300)
+resumed.InitialSites = None
+check_diagram(resumed, 200)
+
+# --- A picture ------------------------------------------------------------------------------------
+if os.environ.get("DISPLAY"):
+    view = CreateRenderView(ViewSize=[400, 400])
+    Show(remesher, view).SetRepresentationType("Surface With Edges")
+    Show(OutputPort(diagram, 4), view)
+    ResetCamera(view)
+    picture = os.path.join(OUTPUT_FOLDER, "TestPlugin.png")
+    SaveScreenshot(picture, view)
+    image = servermanager.Fetch(PNGSeriesReader(FileNames=[picture]))
+    low, high = image.GetPointData().GetScalars().GetRange()
+    assert high - low > 50, "an empty picture"
+else:
+    print("no DISPLAY: the screenshot is skipped")
+print("passed")
