@@ -1,0 +1,61 @@
+/**
+ * The options of remesh_surface: one table that parsing and --help share.
+ *
+ * Every option can be written `--name value` or `--name=value`. Of an option given twice the last
+ * one counts, except for --coordinates, which adds up. `--` ends the options.
+ */
+#ifndef CommandLine_h
+#define CommandLine_h
+
+#include <string>
+#include <vector>
+
+struct CoordinateArray
+{
+  std::string Name;
+  double Scale; // length per array unit
+};
+
+struct Options
+{
+  std::string Input;
+  std::string Output;
+
+  long long NumberOfPoints = 10000;
+  double Anisotropy = 0.04; // fraction of the bounding-box diagonal
+  int LloydIterations = 50;
+  int Seed = 0;
+  int Threads = 0; // 0: as many as the back-end offers
+  std::string Backend = "automatic";
+  int Dimension = 6;
+  std::string Normals; // "": the active ones; "none": estimate
+  int NormalSmoothingPasses = -1;
+  std::string EmbeddingArray;
+  std::vector<CoordinateArray> Coordinates;
+  std::string InitialSites;
+  double MergeTolerance = 0.0; // fraction of the bounding-box diagonal
+  std::string Sampling = "stratified";
+
+  // Further outputs; "": not written.
+  std::string Cells;
+  std::string Sites;
+  std::string Edges;
+  std::string EmbeddedSurface;
+  std::string Convergence;
+  std::string Report;
+
+  bool Quiet = false;
+  bool Version = false;
+  bool Help = false;
+};
+
+/**
+ * Reads the arguments, the program's name not among them. With --help or --version the rest is
+ * not checked. Throws Failure with EXIT_USAGE.
+ */
+Options ParseCommandLine(const std::vector<std::string>& arguments);
+
+/** What --help prints. */
+std::string HelpText();
+
+#endif

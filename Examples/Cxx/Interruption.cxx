@@ -1,0 +1,40 @@
+#include "Interruption.h"
+
+#include "Failure.h"
+
+#include <csignal>
+
+namespace
+{
+volatile std::sig_atomic_t interrupted = 0;
+
+void HandleSignal(int)
+{
+  interrupted = 1;
+}
+} // namespace
+
+void CatchInterruptions()
+{
+  for (int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    if (std::signal(signal, HandleSignal) == SIG_IGN)
+    {
+      std::signal(signal, SIG_IGN);
+    }
+  }
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+bool Interrupted()
+{
+  return interrupted != 0;
+}
+
+void StopIfInterrupted()
+{
+  if (Interrupted())
+  {
+    throw Failure("interrupted");
+  }
+}

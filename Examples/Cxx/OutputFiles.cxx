@@ -1,0 +1,131 @@
+#include "OutputFiles.h"
+
+#include "Failure.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+/** Where `path` leads, and whether something that is not an ordinary file is in its way. */
+fs::path ResolveTarget(const std::string& path)
+{
+  std::error_code error;
+  fs::path target(path);
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status))
+  {
+    throw Failure("cannot write '" + path + "': it is a directory");
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    throw Failure("cannot write '" + path + "': it is not an ordinary file");
+  }
+  if (fs::exists(status) && access(path.c_str(), W_OK) != 0)
+  {
+    throw Failure("cannot write '" + path + "': " + std::strerror(errno));
+  }
+  if (fs::exists(status))
+  {
+    target = fs::canonical(target, error);
+  }
+  else
+  {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error))
+    {
+      throw Failure("cannot write '" + path + "': there is no directory '" + folder.string() + "'");
+    }
+    target = fs::canonical(folder, error) / target.filename();
+  }
+  if (error)
+  {
+    throw Failure("cannot write '" + path + "': " + error.message());
+  }
+  return target;
+}
+} // namespace
+
+OutputFiles::~OutputFiles()
+{
+  for (const File& file : this->Files)
+  {
+    if (!this->Committed)
+    {
+      std::remove(file.Temporary.c_str());
+    }
+  }
+}
+
+std::size_t OutputFiles::Add(const std::string& path)
+{
+  File file;
+  file.Name = path;
+  file.Final = ResolveTarget(path).string();
+  file.Temporary = file.Final + ".partial-" + std::to_string(getpid());
+  for (const File& other : this->Files)
+  {
+    if (other.Final == file.Final)
+    {
+      throw Failure("'" + path + "' is named for two outputs", EXIT_USAGE);
+    }
+  }
+  const int descriptor = open(file.Temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
+  if (descriptor < 0)
+  {
+    throw Failure("cannot write '" + path + "': " + std::strerror(errno));
+  }
+  close(descriptor);
+  std::remove(file.Temporary.c_str());
+  this->Files.push_back(file);
+  return this->Files.size() - 1;
+}
+
+const std::string& OutputFiles::GetTemporaryName(std::size_t number) const
+{
+  return this->Files[number].Temporary;
+}
+
+void OutputFiles::Commit()
+{
+  for (const File& file : this->Files)
+  {
+    if (std::rename(file.Temporary.c_str(), file.Final.c_str()) != 0)
+    {
+      const std::string reason = std::strerror(errno);
+      for (const File& earlier : this->Files)
+      {
+        if (&earlier == &file)
+        {
+          break;
+        }
+        std::remove(earlier.Final.c_str());
+      }
+      throw Failure("cannot write '" + file.Name + "': " + reason);
+    }
+  }
+  this->Committed = true;
+}
+
+void WriteBytes(const std::string& path, const std::string& bytes)
+{
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  bool good = file != nullptr;
+  good = good && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  good = good && std::fflush(file) == 0;
+  const std::string reason = good ? "" : std::strerror(errno);
+  if (file != nullptr && std::fclose(file) != 0)
+  {
+    good = false;
+  }
+  if (!good)
+  {
+    throw Failure(reason.empty() ? "the disk is full" : reason);
+  }
+}

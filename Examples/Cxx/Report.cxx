@@ -1,0 +1,115 @@
+#include "Report.h"
+
+#include "CommandLine.h"
+#include "JsonWriter.h"
+
+#include <vtkAnisotropicRemesher.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
+
+#include <sys/resource.h>
+
+namespace
+{
+void AddInput(
+  JsonWriter& json, const Options& options, vtkPolyData* input, vtkAnisotropicRemesher* remesher)
+{
+  json.BeginObject("input");
+  json.Add("file", options.Input);
+  json.Add("points", static_cast<long long>(input->GetNumberOfPoints()));
+  json.Add("cells", static_cast<long long>(input->GetNumberOfCells()));
+  json.Add("components", static_cast<long long>(remesher->GetNumberOfInputComponents()));
+  json.Add("dropped", static_cast<long long>(remesher->GetNumberOfDroppedTriangles()));
+  json.EndObject();
+}
+
+void AddParameters(JsonWriter& json, const Options& options)
+{
+  json.BeginObject("parameters");
+  json.Add("points", options.NumberOfPoints);
+  json.Add("anisotropy", options.Anisotropy);
+  json.Add("lloyd", options.LloydIterations);
+  json.Add("seed", options.Seed);
+  json.Add("sampling", options.Sampling);
+  json.Add("threads", options.Threads);
+  json.Add("backend", options.Backend);
+  json.Add("dimension", options.Dimension);
+  json.Add("normals", options.Normals);
+  json.Add("normal_smoothing", options.NormalSmoothingPasses);
+  json.Add("embedding_array", options.EmbeddingArray);
+  json.BeginArray("coordinates");
+  for (const CoordinateArray& array : options.Coordinates)
+  {
+    json.BeginObject();
+    json.Add("name", array.Name);
+    json.Add("scale", array.Scale);
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Add("initial_sites", options.InitialSites);
+  json.Add("merge_tolerance", options.MergeTolerance);
+  json.EndObject();
+}
+
+void AddOutput(JsonWriter& json, vtkPolyData* surface)
+{
+  json.BeginObject("output");
+  json.Add("points", static_cast<long long>(surface->GetNumberOfPoints()));
+  json.Add("triangles", static_cast<long long>(surface->GetNumberOfPolys()));
+  vtkDataArray* extra = surface->GetFieldData()->GetArray("NumberOfExtraPoints");
+  if (extra != nullptr && extra->GetNumberOfTuples() > 0)
+  {
+    json.Add("extra_points", static_cast<long long>(extra->GetComponent(0, 0)));
+  }
+  json.EndObject();
+}
+
+void AddSeconds(JsonWriter& json, vtkAnisotropicRemesher* remesher, const Seconds& seconds)
+{
+  json.BeginObject("seconds");
+  json.Add("read", seconds.Read);
+  for (const char* phase : { "intake", "sampling", "lloyd", "diagram" })
+  {
+    json.Add(phase, remesher->GetPhaseSeconds(phase));
+  }
+  json.Add("write", seconds.Write);
+  json.Add("total", seconds.Total);
+  json.EndObject();
+}
+
+void AddResources(JsonWriter& json)
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time)
+  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+  json.Add("processor_seconds", seconds(usage.ru_utime) + seconds(usage.ru_stime));
+  json.Add("peak_megabytes", static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6);
+}
+} // namespace
+
+std::string ReportText(const Options& options, vtkPolyData* input, vtkAnisotropicRemesher* remesher,
+  const Seconds& seconds, const std::vector<std::string>& warnings)
+{
+  JsonWriter json;
+  json.BeginObject();
+  AddInput(json, options, input, remesher);
+  AddParameters(json, options);
+  AddOutput(json, remesher->GetOutput());
+  json.Add("iterations", remesher->GetNumberOfIterations());
+  json.Add("evaluations", remesher->GetNumberOfEvaluations());
+  json.Add("energy", remesher->GetEnergy());
+  AddSeconds(json, remesher, seconds);
+  AddResources(json);
+  json.Add("threads", remesher->GetNumberOfUsedThreads());
+  json.Add("backend", remesher->GetUsedBackend());
+  json.BeginArray("warnings");
+  for (const std::string& warning : warnings)
+  {
+    json.Add("", warning);
+  }
+  json.EndArray();
+  json.EndObject();
+  return json.GetText();
+}

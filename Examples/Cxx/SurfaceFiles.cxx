@@ -1,0 +1,323 @@
+#include "SurfaceFiles.h"
+
+#include "Failure.h"
+#include "Messages.h"
+#include "OutputFiles.h"
+#include "PlyCheck.h"
+#include "ProgressBar.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPLYWriter.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSTLReader.h>
+#include <vtkSTLWriter.h>
+#include <vtkTable.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+std::string Extension(const std::string& path)
+{
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void CheckExtension(const std::string& path, const std::vector<std::string>& known)
+{
+  if (std::find(known.begin(), known.end(), Extension(path)) == known.end())
+  {
+    std::string sentence = "the name '" + path + "' must end in";
+    for (const std::string& extension : known)
+    {
+      const bool first = &extension == &known.front();
+      const bool last = &extension == &known.back();
+      sentence += (first ? " " : last ? " or " : ", ") + extension;
+    }
+    throw Failure(sentence);
+  }
+}
+
+/** A missing, unreadable or empty file, or a directory, has its own sentence. */
+void CheckReadable(const std::string& path)
+{
+  std::error_code error;
+  if (fs::is_directory(path, error))
+  {
+    throw Failure("it is a directory");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    throw Failure(errno != 0 ? std::strerror(errno) : "it cannot be opened");
+  }
+  if (file.peek() == std::ifstream::traits_type::eof())
+  {
+    throw Failure("it is empty");
+  }
+}
+
+/** vtkSTLReader takes whatever is there as triangles; a binary file tells how many there are. */
+void CheckStl(const std::string& path)
+{
+  constexpr std::int64_t headerSize = 84;
+  constexpr std::int64_t triangleSize = 50;
+  std::ifstream file(path, std::ios::binary);
+  std::string start(1024, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  if (start.rfind("solid", 0) == 0 && start.find("facet") != std::string::npos)
+  {
+    return; // text
+  }
+  const auto size = static_cast<std::int64_t>(fs::file_size(path));
+  std::int64_t announced = 0;
+  for (int i = 0; i < 4 && size >= headerSize; ++i)
+  {
+    announced |= static_cast<std::int64_t>(static_cast<unsigned char>(start[80 + i])) << (8 * i);
+  }
+  if (size < headerSize + announced * triangleSize || (size - headerSize) % triangleSize != 0)
+  {
+    throw Failure(
+      "malformed STL file, its size does not fit its " + std::to_string(announced) + " triangles");
+  }
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+{
+  const std::string extension = Extension(path);
+  if (extension == ".vtp")
+  {
+    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+    reader->SetFileName(path.c_str());
+    return reader;
+  }
+  if (extension == ".vtk")
+  {
+    auto reader = vtkSmartPointer<vtkPolyDataReader>::New();
+    reader->SetFileName(path.c_str());
+    reader->ReadAllScalarsOn();
+    reader->ReadAllVectorsOn();
+    reader->ReadAllNormalsOn();
+    reader->ReadAllTensorsOn();
+    reader->ReadAllTCoordsOn();
+    reader->ReadAllFieldsOn();
+    return reader;
+  }
+  if (extension == ".ply")
+  {
+    CheckPly(path);
+    auto reader = vtkSmartPointer<vtkPLYReader>::New();
+    reader->SetFileName(path.c_str());
+    return reader;
+  }
+  if (extension == ".stl")
+  {
+    CheckStl(path);
+    auto reader = vtkSmartPointer<vtkSTLReader>::New();
+    reader->SetFileName(path.c_str());
+    reader->MergingOff(); // the filter merges
+    return reader;
+  }
+  auto reader = vtkSmartPointer<vtkOBJReader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+/** No reader makes sure that polygons refer to points that exist. */
+void CheckCells(vtkPolyData* surface)
+{
+  for (vtkCellArray* cells :
+    { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+  {
+    double range[2] = { 0, -1 };
+    if (cells == nullptr || cells->GetNumberOfConnectivityIds() == 0)
+    {
+      continue;
+    }
+    if (!cells->IsValid())
+    {
+      throw Failure("its cells are inconsistent");
+    }
+    cells->GetConnectivityArray()->GetRange(range, 0);
+    if (range[0] < 0 || range[1] >= static_cast<double>(surface->GetNumberOfPoints()))
+    {
+      throw Failure("a cell refers to point " +
+        std::to_string(static_cast<long long>(range[0] < 0 ? range[0] : range[1])) +
+        ", but there are " + std::to_string(surface->GetNumberOfPoints()) + " points");
+    }
+  }
+}
+
+/** Wavefront OBJ. vtkOBJWriter does not notice a full disk. */
+std::string ObjText(vtkPolyData* surface)
+{
+  std::string text;
+  char line[96];
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    surface->GetPoint(i, x);
+    std::snprintf(line, sizeof(line), "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
+    text += line;
+  }
+  vtkCellArray* polygons = surface->GetPolys();
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  for (polygons->InitTraversal(); polygons->GetNextCell(size, ids) != 0;)
+  {
+    text += 'f';
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      text += ' ' + std::to_string(ids[i] + 1);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/** Binary PLY by way of memory: vtkPLYWriter does not notice a full disk. */
+std::string PlyBytes(vtkPolyData* surface)
+{
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetInputData(surface);
+  writer->SetFileTypeToBinary();
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return writer->GetOutputString();
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeVtkWriter(
+  vtkPolyData* surface, const std::string& extension, const std::string& path)
+{
+  if (extension == ".vtp")
+  {
+    auto writer = vtkSmartPointer<vtkXMLPolyDataWriter>::New();
+    writer->SetInputData(surface);
+    writer->SetFileName(path.c_str());
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetHeaderTypeToUInt64();
+    return writer;
+  }
+  if (extension == ".vtk")
+  {
+    auto writer = vtkSmartPointer<vtkPolyDataWriter>::New();
+    writer->SetInputData(surface);
+    writer->SetFileName(path.c_str());
+    writer->SetFileTypeToBinary();
+    return writer;
+  }
+  auto writer = vtkSmartPointer<vtkSTLWriter>::New();
+  writer->SetInputData(surface);
+  writer->SetFileName(path.c_str());
+  writer->SetFileTypeToBinary();
+  return writer;
+}
+} // namespace
+
+void CheckSurfaceName(const std::string& path)
+{
+  CheckExtension(path, { ".vtp", ".vtk", ".ply", ".stl", ".obj" });
+}
+
+void CheckArrayFileName(const std::string& path)
+{
+  CheckExtension(path, { ".vtp", ".vtk" });
+}
+
+vtkSmartPointer<vtkPolyData> ReadSurface(
+  const std::string& path, Messages* messages, ProgressBar* progress)
+{
+  try
+  {
+    CheckReadable(path);
+    CheckSurfaceName(path);
+    const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
+    progress->SetPhase("Reading");
+    reader->AddObserver(vtkCommand::ProgressEvent, progress);
+    reader->Update();
+    auto* surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+    messages->ThrowIfError("VTK says");
+    messages->ThrowIfWarning("Error reading", "VTK says");
+    if (surface == nullptr)
+    {
+      throw Failure("it holds no polygonal data");
+    }
+    CheckCells(surface);
+    return surface;
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("cannot read '" + path + "': " + failure.what());
+  }
+}
+
+void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& temporary,
+  Messages* messages, ProgressBar* progress)
+{
+  const std::string extension = Extension(path);
+  if (extension == ".ply")
+  {
+    WriteBytes(temporary, PlyBytes(surface));
+    return;
+  }
+  if (extension == ".obj")
+  {
+    WriteBytes(temporary, ObjText(surface));
+    return;
+  }
+  // These writers of VTK find out when they cannot write.
+  const vtkSmartPointer<vtkAlgorithm> writer = MakeVtkWriter(surface, extension, temporary);
+  progress->SetPhase("Writing");
+  writer->AddObserver(vtkCommand::ProgressEvent, progress);
+  writer->Update();
+  messages->ThrowIfError("VTK says");
+  if (writer->GetErrorCode() != 0)
+  {
+    throw Failure(vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  }
+}
+
+std::string TableText(vtkTable* table)
+{
+  // vtkDelimitedTextWriter has six digits.
+  std::string text;
+  const vtkIdType columns = table->GetNumberOfColumns();
+  for (vtkIdType column = 0; column < columns; ++column)
+  {
+    text += (column > 0 ? "," : "") + std::string(table->GetColumnName(column));
+  }
+  text += '\n';
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType column = 0; column < columns; ++column)
+    {
+      char number[32];
+      std::snprintf(number, sizeof(number), "%.17g", table->GetValue(row, column).ToDouble());
+      text += (column > 0 ? "," : "") + std::string(number);
+    }
+    text += '\n';
+  }
+  return text;
+}
