@@ -1,0 +1,36 @@
+/**
+ * @file EdgeTable.h
+ * @brief The undirected topological edges of a surface and the facets around each.
+ */
+#ifndef remesh_EdgeTable_h
+#define remesh_EdgeTable_h
+
+#include "Mesh/SurfaceMesh.h"
+
+namespace remesh
+{
+/** Edge k of a facet joins its points k and (k + 1) % 3. */
+struct EdgeTable
+{
+  std::vector<Triple> facetEdges;      ///< F x 3, edge ids
+  std::vector<Offset> edgeFacetsBegin; ///< E + 1, into `edgeFacets`
+  std::vector<Index> edgeFacets;       ///< facets around each edge, ascending
+
+  Index numberOfEdges() const { return static_cast<Index>(this->edgeFacetsBegin.size()) - 1; }
+  Index valence(Index edge) const
+  {
+    return static_cast<Index>(this->edgeFacetsBegin[edge + 1] - this->edgeFacetsBegin[edge]);
+  }
+};
+
+/**
+ * Edges numbered in the order in which the facets meet them.
+ *
+ * @param facetPoints F x 3, F <= maximumIndex / 3, ids from 0 (of points, or of corners: then the
+ *        edges are those of the embedded surface, cut open along its creases).
+ * Cost: O(F log k) time, k the most facets around a point; O(F + highest id) memory.
+ */
+EdgeTable buildEdgeTable(const std::vector<Triple>& facetPoints);
+}
+
+#endif

@@ -1,0 +1,39 @@
+/**
+ * @file Normals.h
+ * @brief Unit normals at the corners of a surface: estimated and smoothed, or given.
+ */
+#ifndef remesh_Normals_h
+#define remesh_Normals_h
+
+#include "Mesh/SurfaceMesh.h"
+#include "Support/Status.h"
+
+namespace remesh
+{
+/** Passes that a negative number of smoothing passes stands for. */
+constexpr int automaticSmoothingPasses = 3;
+
+/**
+ * Angle-weighted means of the facet normals, smoothed by uniform 1-ring averaging.
+ *
+ * @param passes smoothing passes; negative: `automaticSmoothingPasses`.
+ * @return C unit vectors; a corner without direction (facets that cancel out) gets the normal of
+ *         its first facet.
+ * Cost: O(F) per pass. Deterministic.
+ */
+std::vector<Point3> estimateCornerNormals(const SurfaceMesh& mesh, int passes);
+
+/**
+ * The caller's normals: at each corner the normalised mean of the distinct input points merged
+ * into it (an input point counts once, whatever its number of facets). Never smoothed.
+ *
+ * @param inputNormals 3 x P values, one per input point, any length: only directions count.
+ * @return InvalidInput for a used point without normal or with a non-finite one. A zero mean falls
+ *         back to the estimated, unsmoothed normal of that corner.
+ * Cost: O(F). Deterministic.
+ */
+Status givenCornerNormals(
+  const SurfaceMesh& mesh, const std::vector<Point3>& inputNormals, std::vector<Point3>& normals);
+}
+
+#endif

@@ -1,0 +1,36 @@
+/**
+ * @file Orientation.h
+ * @brief One sense of rotation for each shell of a surface, where there is one.
+ */
+#ifndef remesh_Orientation_h
+#define remesh_Orientation_h
+
+#include "Mesh/EdgeTable.h"
+
+#include <vector>
+
+namespace remesh
+{
+struct Orientation
+{
+  std::vector<unsigned char> flipped; ///< F, 1: the facet must be turned round
+  Offset numberOfFlipped = 0;
+  bool orientable = true; ///< no shell is one-sided
+};
+
+/**
+ * Makes the facets of each shell agree across their common edges. A shell is what one reaches
+ * through edges of exactly two facets; edges of more facets separate shells.
+ *
+ * Of the two orientations a shell takes that of the larger share of its area (a tie within
+ * rounding: that of its first facet), so a consistent input stays as it is, inside out or not. A
+ * one-sided shell (Moebius strip) is left as it was.
+ *
+ * @param facetAreas F, in any unit, above or equal to 0.
+ * Cost: O(F). Deterministic.
+ */
+Orientation findOrientation(const std::vector<Triple>& facetPoints, const EdgeTable& edges,
+  const std::vector<double>& facetAreas);
+}
+
+#endif
