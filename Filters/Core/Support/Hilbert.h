@@ -27,31 +27,41 @@ inline std::uint64_t spreadBits3(std::uint64_t x)
   return x;
 }
 
+/** Each bit becomes the parity of the bits above it. */
+inline std::uint32_t parityAbove(std::uint32_t x)
+{
+  x >>= 1;
+  x ^= x >> 1;
+  x ^= x >> 2;
+  x ^= x >> 4;
+  x ^= x >> 8;
+  x ^= x >> 16;
+  return x;
+}
+
 /** Distance along the curve (63 bits) of a cell of the 2^21-cubed grid. */
 inline std::uint64_t hilbertKey(std::array<std::uint32_t, 3> axes)
 {
-  constexpr std::uint32_t top = std::uint32_t(1) << (hilbertBitsPerAxis - 1);
-  for (std::uint32_t bit = top; bit > 1; bit >>= 1)
+  auto [x, y, z] = axes;
+  for (int level = hilbertBitsPerAxis - 1; level > 0; --level)
   {
-    const std::uint32_t below = bit - 1;
-    for (std::uint32_t& axis : axes)
-    {
-      // Branch-free: invert the low bits of the first axis, or exchange them with this axis's.
-      const std::uint32_t invert = (axis & bit) ? below : 0;
-      const std::uint32_t exchange = (axes[0] ^ axis) & (below & ~invert);
-      axis ^= exchange;
-      axes[0] ^= exchange | invert;
-    }
+    // Skilling's step without branches: where an axis has this bit, the lower bits of x are
+    // inverted, else they are exchanged with that axis's.
+    const std::uint32_t below = (std::uint32_t(1) << level) - 1;
+    x ^= (0u - (x >> level & 1)) & below;
+    const std::uint32_t invertY = (0u - (y >> level & 1)) & below;
+    const std::uint32_t exchangeY = (x ^ y) & (below ^ invertY);
+    x ^= exchangeY | invertY;
+    y ^= exchangeY;
+    const std::uint32_t invertZ = (0u - (z >> level & 1)) & below;
+    const std::uint32_t exchangeZ = (x ^ z) & (below ^ invertZ);
+    x ^= exchangeZ | invertZ;
+    z ^= exchangeZ;
   }
-  axes[1] ^= axes[0];
-  axes[2] ^= axes[1];
-  std::uint32_t gray = 0;
-  for (std::uint32_t bit = top; bit > 1; bit >>= 1)
-  {
-    gray ^= (axes[2] & bit) ? bit - 1 : 0;
-  }
-  return spreadBits3(axes[0] ^ gray) << 2 | spreadBits3(axes[1] ^ gray) << 1 |
-    spreadBits3(axes[2] ^ gray);
+  y ^= x;
+  z ^= y;
+  const std::uint32_t gray = parityAbove(z);
+  return spreadBits3(x ^ gray) << 2 | spreadBits3(y ^ gray) << 1 | spreadBits3(z ^ gray);
 }
 
 /**

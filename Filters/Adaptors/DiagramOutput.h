@@ -1,0 +1,52 @@
+/**
+ * @file DiagramOutput.h
+ * @brief From the core's result to the five outputs of a diagram filter.
+ *
+ * Array names, types and meaning: see vtkRestrictedVoronoiAlgorithm. Scaled units become the
+ * caller's here and nowhere else.
+ */
+#ifndef remesh_DiagramOutput_h
+#define remesh_DiagramOutput_h
+
+#include "Adaptors/SurfacePreparation.h"
+#include "Remesh.h"
+#include "Voronoi/DiagramPoints.h"
+
+class vtkPolyData;
+class vtkTable;
+
+namespace remesh
+{
+/** What all output adaptors read. */
+struct DiagramSource
+{
+  vtkPolyData* input;
+  const PreparedSurface& prepared;
+  const RemeshResult& result;
+  /** Given sites as they stood in R^3, or none; for sites whose cell is empty. */
+  const std::vector<Point3>& givenPlaces;
+  int seed;
+
+  const EmbeddedSurface& surface() const { return this->prepared.surface; }
+  double massUnit() const { return this->surface().unit * this->surface().unit; }
+  double energyUnit() const { return this->massUnit() * this->massUnit(); }
+};
+
+/** Port 0: the restricted Delaunay triangulation. */
+void writeSurface(const DiagramSource& source, vtkPolyData* output);
+
+/** Port 1: the pieces of the cells. `embeddingDimension`: largest d with the array `Embedding`. */
+void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
+  int embeddingDimension, vtkPolyData* output);
+
+/** Port 2: the sites. */
+void writeSites(const DiagramSource& source, vtkPolyData* output);
+
+/** Port 3: the history of the optimisation. */
+void writeConvergence(const DiagramSource& source, vtkTable* output);
+
+/** Port 4: borders between cells, boundary and non-manifold edges. */
+void writeEdges(const DiagramSource& source, const DiagramPoints& points, vtkPolyData* output);
+}
+
+#endif

@@ -1,0 +1,31 @@
+/**
+ * @file ExecutionScope.h
+ * @brief The threads and back-end of one filter's execution.
+ */
+#ifndef remesh_ExecutionScope_h
+#define remesh_ExecutionScope_h
+
+#include <functional>
+#include <string>
+
+namespace remesh
+{
+struct Execution
+{
+  std::string backend; ///< name for vtkSMPTools
+  int threads = 0;     ///< 0 asks for all; after runInScope, those that were there
+};
+
+/**
+ * The execution for a choice of back-end ("" for automatic: VTK's current one, or STDThread where
+ * that is Sequential, as in ParaView).
+ *
+ * @param available false when this VTK lacks the back-end and the automatic choice was taken.
+ */
+Execution chooseExecution(const std::string& backend, int threads, bool& available);
+
+/** Runs `work` with that back-end and number of threads, and restores what was there. */
+void runInScope(Execution& execution, const std::function<void()>& work);
+}
+
+#endif

@@ -1,0 +1,47 @@
+/**
+ * @file Components.h
+ * @brief Connected components of the restricted cells: the vertices of the dual.
+ *
+ * The dual over components instead of cells (the multi-nerve of B. Levy, Y. Liu, "Lp Centroidal
+ * Voronoi Tessellation and its applications", 2010) keeps the two sides of a thin plate apart: a
+ * cell that reaches both has two components, and each becomes a vertex of its own.
+ */
+#ifndef remesh_Components_h
+#define remesh_Components_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Mesh/EdgeTable.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+#include "Voronoi/Diagram.h"
+
+namespace remesh
+{
+struct Components
+{
+  std::vector<Index> ofPiece;     ///< P, component of each piece of the diagram
+  std::vector<Index> sites;       ///< K, ascending
+  std::vector<Index> ranks;       ///< K, 0, 1, ... among the components of the same site
+  std::vector<Offset> pieceBegin; ///< K + 1, into `pieces`
+  std::vector<Offset> pieces;     ///< pieces of each component, ascending
+
+  std::vector<double> mass;      ///< K, area in R^d, scaled units
+  std::vector<double> area;      ///< K, area in R^3
+  std::vector<double> energy;    ///< K, integral of |x - x_i|^2, scaled units
+  std::vector<Point3> centroids; ///< K, centroid by mass, in R^3
+
+  Index count() const { return static_cast<Index>(this->sites.size()); }
+};
+
+/**
+ * Pieces of a cell belong together where they share a segment of a facet's edge, or a corner.
+ *
+ * @param owners C, the site that owns each corner.
+ * Cost: O(P), O(P) memory. Components are ordered by site, then by their first piece.
+ */
+Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const EdgeTable& edges, const Diagram& diagram, const std::vector<Index>& owners,
+  const RunControl& control, Components& components);
+}
+
+#endif

@@ -1,0 +1,210 @@
+#include "Embedding/Embedding.h"
+
+#include "Support/Parallel.h"
+#include "Embedding/Distance.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+/** Radius about the centroid, squared edges and areas of one facet. */
+FacetConstants measureFacet(const SurfaceMesh& mesh, const EmbeddedSurface& surface, Index facet)
+{
+  const int d = surface.dimension;
+  const Triple& corners = surface.facetCorners[facet];
+  const double* p[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    p[k] = surface.corner(corners[k]);
+  }
+  FacetConstants constants;
+  constants.mass = triangleArea(p[0], p[1], p[2], d);
+  for (int k = 0; k < 3; ++k)
+  {
+    constants.edge2[k] = squaredDistance<Eigen::Dynamic>(p[k], p[(k + 1) % 3], d);
+  }
+  // Medians: |p_k - c|^2 = (2 a^2 + 2 b^2 - c^2) / 9 with a, b the edges at the corner.
+  double radius2 = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double* e = constants.edge2;
+    radius2 = std::max(radius2, (2.0 * (e[k] + e[(k + 2) % 3]) - e[(k + 1) % 3]) / 9.0);
+  }
+  constants.radius = std::sqrt(radius2);
+  const Triple& points = mesh.facetPoints[facet];
+  const Point3 u = mesh.points[points[1]] - mesh.points[points[0]];
+  const Point3 v = mesh.points[points[2]] - mesh.points[points[0]];
+  constants.area = 0.5 * u.cross(v).norm();
+  return constants;
+}
+
+/** Middle of the coordinates' ranges, and the power of two not less than the largest half-range. */
+Status findFrame(const CornerCoordinates& coordinates, EmbeddedSurface& surface)
+{
+  const int d = coordinates.dimension;
+  const std::size_t count = coordinates.values.size() / static_cast<std::size_t>(d);
+  std::vector<double> lower(coordinates.values.begin(), coordinates.values.begin() + d);
+  std::vector<double> upper = lower;
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    const double* x = coordinates.values.data() + c * static_cast<std::size_t>(d);
+    for (int k = 0; k < d; ++k)
+    {
+      if (!std::isfinite(x[k]))
+      {
+        return Status::invalid(
+          "The embedding has a coordinate that is not a finite number (component " +
+          std::to_string(k) + ").");
+      }
+      lower[k] = std::min(lower[k], x[k]);
+      upper[k] = std::max(upper[k], x[k]);
+    }
+  }
+  double largest = 0.0;
+  surface.center.resize(d);
+  for (int k = 0; k < d; ++k)
+  {
+    surface.center[k] = 0.5 * lower[k] + 0.5 * upper[k];
+    largest = std::max(largest, 0.5 * upper[k] - 0.5 * lower[k]);
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  surface.unit = std::ldexp(1.0, exponent);
+  if (!(largest > 0.0) || !std::isfinite(surface.unit) || largest < 1e-290)
+  {
+    return Status::invalid("The embedded surface is a single point, or too small or large to "
+                           "compute with.");
+  }
+  return Status::success();
+}
+}
+
+double triangleArea(const double* p1, const double* p2, const double* p3, int dimension)
+{
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+  const Vector a(p1, dimension), b(p2, dimension), c(p3, dimension);
+  // Height over the longest edge: no cancellation for slivers.
+  const double ab = (b - a).squaredNorm();
+  const double bc = (c - b).squaredNorm();
+  const double ca = (a - c).squaredNorm();
+  const double longest = std::max({ ab, bc, ca });
+  if (!(longest > 0.0))
+  {
+    return 0.0;
+  }
+  const Vector& start = longest == ab ? a : (longest == bc ? b : c);
+  const Vector& end = longest == ab ? b : (longest == bc ? c : a);
+  const Vector& apex = longest == ab ? c : (longest == bc ? a : b);
+  const double t = (end - start).dot(apex - start) / longest;
+  const double height2 = ((apex - start) - t * (end - start)).squaredNorm();
+  return 0.5 * std::sqrt(longest) * std::sqrt(height2);
+}
+
+double boundingBoxDiagonal(const SurfaceMesh& mesh)
+{
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : mesh.points)
+  {
+    box.extend(point);
+  }
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+CornerCoordinates positionCoordinates(const SurfaceMesh& mesh)
+{
+  CornerCoordinates coordinates;
+  coordinates.dimension = 3;
+  coordinates.values.reserve(3 * mesh.cornerPoints.size());
+  for (const Index point : mesh.cornerPoints)
+  {
+    const Point3& p = mesh.points[point];
+    coordinates.values.insert(coordinates.values.end(), p.data(), p.data() + 3);
+  }
+  return coordinates;
+}
+
+CornerCoordinates gaussMapCoordinates(
+  const SurfaceMesh& mesh, const std::vector<Point3>& normals, double s)
+{
+  CornerCoordinates normalPart;
+  normalPart.dimension = 3;
+  normalPart.values.reserve(3 * normals.size());
+  for (const Point3& normal : normals)
+  {
+    normalPart.values.insert(normalPart.values.end(), normal.data(), normal.data() + 3);
+  }
+  CornerCoordinates coordinates = positionCoordinates(mesh);
+  appendCoordinates(coordinates, normalPart, s);
+  return coordinates;
+}
+
+void appendCoordinates(
+  CornerCoordinates& coordinates, const CornerCoordinates& more, double scale)
+{
+  const int before = coordinates.dimension;
+  const int total = before + more.dimension;
+  const std::size_t count =
+    before > 0 ? coordinates.values.size() / static_cast<std::size_t>(before) : 0;
+  std::vector<double> values(count * static_cast<std::size_t>(total));
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    double* row = values.data() + c * static_cast<std::size_t>(total);
+    std::copy_n(coordinates.values.data() + c * static_cast<std::size_t>(before), before, row);
+    for (int k = 0; k < more.dimension; ++k)
+    {
+      row[before + k] = scale * more.values[c * static_cast<std::size_t>(more.dimension) + k];
+    }
+  }
+  coordinates.dimension = total;
+  coordinates.values = std::move(values);
+}
+
+Status embedSurface(const SurfaceMesh& mesh, const CornerCoordinates& coordinates,
+  const RunControl& control, EmbeddedSurface& surface)
+{
+  const int d = coordinates.dimension;
+  surface = EmbeddedSurface{};
+  surface.dimension = d;
+  surface.facetCorners = mesh.facetCorners;
+  if (Status status = findFrame(coordinates, surface); !status.ok())
+  {
+    return status;
+  }
+  surface.corners.resize(coordinates.values.size());
+  const Blocks corners = Blocks::cut(surface.numberOfCorners(), 1024, 65536);
+  surface.constants.resize(mesh.facetPoints.size());
+  const Blocks facets = Blocks::cut(surface.numberOfFacets(), 1024, 65536);
+  const bool done = forEachRange(corners, control,
+                      [&](Offset begin, Offset end)
+                      {
+                        for (Offset k = begin * d; k < end * d; ++k)
+                        {
+                          surface.corners[k] =
+                            surface.toScaled(coordinates.values[k], static_cast<int>(k % d));
+                        }
+                      }) &&
+    forEachRange(facets, control,
+      [&](Offset begin, Offset end)
+      {
+        for (Offset facet = begin; facet < end; ++facet)
+        {
+          surface.constants[facet] = measureFacet(mesh, surface, static_cast<Index>(facet));
+        }
+      });
+  if (!done)
+  {
+    return Status::cancelled();
+  }
+  for (const FacetConstants& constants : surface.constants)
+  {
+    surface.mass += constants.mass;
+  }
+  return surface.mass > 0.0 ? Status::success()
+                            : Status::invalid("The embedded surface has no area.");
+}
+}

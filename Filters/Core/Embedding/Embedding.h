@@ -1,0 +1,53 @@
+/**
+ * @file Embedding.h
+ * @brief From a surface and its normals or arrays to the surface in R^d.
+ */
+#ifndef remesh_Embedding_h
+#define remesh_Embedding_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+
+namespace remesh
+{
+/** Values at the corners of a surface, in the caller's units. */
+struct CornerCoordinates
+{
+  int dimension = 0;
+  std::vector<double> values; ///< C x dimension
+};
+
+/** Phi(x) = (x, y, z) ([Levy12] at s = 0). */
+CornerCoordinates positionCoordinates(const SurfaceMesh& mesh);
+
+/**
+ * Phi(x) = (x, y, z, s nx, s ny, s nz), [Levy12] 3.2.
+ *
+ * @param normals C unit vectors.
+ * @param s length given to a unit normal, in the unit of the points.
+ */
+CornerCoordinates gaussMapCoordinates(
+  const SurfaceMesh& mesh, const std::vector<Point3>& normals, double s);
+
+/** Appends `scale` times the components of `more` to each corner's coordinates. */
+void appendCoordinates(
+  CornerCoordinates& coordinates, const CornerCoordinates& more, double scale);
+
+/**
+ * Centres and scales the coordinates and computes the constants of the facets.
+ *
+ * @return InvalidInput when a coordinate is not finite, when coordinates span more than a double
+ *         can square, or when the surface has no area in R^d.
+ */
+Status embedSurface(const SurfaceMesh& mesh, const CornerCoordinates& coordinates,
+  const RunControl& control, EmbeddedSurface& surface);
+
+/** Length of the diagonal of the points' bounding box. */
+double boundingBoxDiagonal(const SurfaceMesh& mesh);
+
+/** Area of a triangle in R^d from its Gram determinant, stable for slivers. */
+double triangleArea(const double* p1, const double* p2, const double* p3, int dimension);
+}
+
+#endif

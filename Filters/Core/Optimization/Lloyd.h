@@ -1,0 +1,27 @@
+/**
+ * @file Lloyd.h
+ * @brief Anisotropic Lloyd relaxation in R^d, [Levy12] Algorithm 3.
+ *
+ * Each step moves every site to the centroid of its restricted cell, x_i <- g_i. The CVT energy
+ * F = sum_i int_{cell i} |x - x_i|^2 dx never rises.
+ */
+#ifndef remesh_Lloyd_h
+#define remesh_Lloyd_h
+
+#include "Optimization/Convergence.h"
+#include "Voronoi/RestrictedVoronoi.h"
+
+#include <cstdint>
+
+namespace remesh
+{
+/**
+ * Runs `iterations` steps; on return `sums` belongs to the final sites, and `convergence` has one
+ * more row for each step (and the first row, if it was empty).
+ */
+Status relaxLloyd(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface, int iterations,
+  std::uint64_t seed, const RunControl& control, Sites& sites, CellSums& sums,
+  Convergence& convergence, Index& emptyCells);
+}
+
+#endif

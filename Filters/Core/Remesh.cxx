@@ -1,0 +1,109 @@
+#include "Remesh.h"
+
+#include "Optimization/Lloyd.h"
+#include "Voronoi/RestrictedVoronoi.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+/** Seconds since the last call. */
+class Stopwatch
+{
+public:
+  double lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> elapsed = now - m_start;
+    m_start = now;
+    return elapsed.count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+Status makeSites(const EmbeddedSurface& surface, const RemeshOptions& options, Sites& sites)
+{
+  if (options.initialSites.count() > 0)
+  {
+    sites = options.initialSites;
+    return Status::success();
+  }
+  return sampleSurface(surface, options.numberOfSites, options.sampling, options.seed, sites);
+}
+
+/** The dual of the diagram and all that hangs on it. */
+Status dualize(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const std::vector<Index>& owners, const RunControl& control, RemeshResult& result)
+{
+  result.edges = buildEdgeTable(mesh.facetPoints);
+  if (Status status = findComponents(mesh, surface, result.edges, result.diagram, owners,
+        control.step(0, 3), result.components);
+      !status.ok())
+  {
+    return status;
+  }
+  if (Status status = locateOnSurface(
+        mesh, result.diagram, result.components, control.step(1, 3), result.locations);
+      !status.ok())
+  {
+    return status;
+  }
+  result.dual = buildDual(result.diagram, result.components);
+  result.numbersOfNeighbors = countNeighbors(result.diagram, result.sites.count());
+  control.report(1.0);
+  return control.cancelled() ? Status::cancelled() : Status::success();
+}
+}
+
+Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, RunControl control, RemeshResult& result)
+{
+  result = RemeshResult{};
+  Stopwatch watch;
+  RestrictedVoronoi voronoi(surface);
+
+  control.enterPhase("Sampling", 0.0, 0.02);
+  if (Status status = makeSites(surface, options, result.sites); !status.ok())
+  {
+    return status;
+  }
+  result.seconds.sampling = watch.lap();
+
+  if (options.optimize)
+  {
+    control.enterPhase("Lloyd iterations", 0.02, 0.85);
+    if (Status status = relaxLloyd(voronoi, surface, options.lloydIterations, options.seed,
+          control, result.sites, result.sums, result.convergence, result.emptyCells);
+        !status.ok())
+    {
+      return status;
+    }
+    result.seconds.lloyd = watch.lap();
+  }
+
+  control.enterPhase("Restricted Voronoi diagram", 0.85, 0.95);
+  if (Status status = voronoi.decompose(result.sites, control, result.sums, result.diagram);
+      !status.ok())
+  {
+    return status;
+  }
+  if (!options.optimize)
+  {
+    result.convergence.add(result.sums.totalEnergy, result.sums.gradientNorm, 0.0);
+    result.emptyCells = static_cast<Index>(
+      std::count(result.sums.mass.begin(), result.sums.mass.end(), 0.0));
+  }
+  control.enterPhase("Restricted Delaunay triangulation", 0.95, 1.0);
+  if (Status status = dualize(mesh, surface, voronoi.owners(), control, result); !status.ok())
+  {
+    return status;
+  }
+  result.seconds.diagram = watch.lap();
+  result.evaluations = voronoi.evaluations();
+  return Status::success();
+}
+}

@@ -1,0 +1,91 @@
+/**
+ * @file Parallel.h
+ * @brief Loops over blocks of work, and scratch memory for them. The one seam to vtkSMPTools.
+ *
+ * Reproducibility rests on two rules that the callers keep: the cut into blocks depends on the
+ * data alone, never on the threads; and a block writes only what belongs to it. Partial results
+ * are then joined in the order of the blocks.
+ */
+#ifndef remesh_Parallel_h
+#define remesh_Parallel_h
+
+#include "Support/RunControl.h"
+#include "Support/Types.h"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace remesh
+{
+/** A cut of [0, size) into blocks of equal length (the last may be shorter). */
+struct Blocks
+{
+  Offset size = 0;
+  Offset length = 1;
+
+  Offset count() const { return (this->size + this->length - 1) / this->length; }
+  Offset begin(Offset block) const { return block * this->length; }
+  Offset end(Offset block) const { return std::min(this->size, (block + 1) * this->length); }
+
+  /** About `wanted` blocks, none longer than `longest`. */
+  static Blocks cut(Offset size, Offset wanted, Offset longest);
+};
+
+/**
+ * Calls `body(block)` once for each block, in parallel, in no fixed order. Between groups of
+ * blocks the calling thread reports progress in the control's current phase.
+ *
+ * @return false when the run was cancelled; then some blocks have not been run.
+ */
+[[nodiscard]] bool forEachBlock(
+  Offset numberOfBlocks, const RunControl& control, const std::function<void(Offset)>& body);
+
+/** As above, over the items [begin, end) of each block of `blocks`. */
+[[nodiscard]] bool forEachRange(
+  const Blocks& blocks, const RunControl& control, const std::function<void(Offset, Offset)>& body);
+
+/** Reusable scratch objects: a block borrows one and gives it back when the lease ends. */
+template <class T>
+class ScratchPool
+{
+public:
+  using Lease = std::unique_ptr<T, std::function<void(T*)>>;
+
+  explicit ScratchPool(std::function<std::unique_ptr<T>()> make)
+    : m_make(std::move(make))
+  {
+  }
+
+  Lease borrow()
+  {
+    std::unique_ptr<T> item;
+    {
+      const std::lock_guard<std::mutex> guard(m_lock);
+      if (!m_idle.empty())
+      {
+        item = std::move(m_idle.back());
+        m_idle.pop_back();
+      }
+    }
+    if (!item)
+    {
+      item = m_make();
+    }
+    return Lease(item.release(),
+      [this](T* used)
+      {
+        const std::lock_guard<std::mutex> guard(m_lock);
+        m_idle.emplace_back(used);
+      });
+  }
+
+private:
+  std::function<std::unique_ptr<T>()> m_make;
+  std::mutex m_lock;
+  std::vector<std::unique_ptr<T>> m_idle;
+};
+}
+
+#endif

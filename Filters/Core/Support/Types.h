@@ -1,0 +1,30 @@
+/**
+ * @file Types.h
+ * @brief Index types and the few aliases that every stage shares.
+ *
+ * Facets, corners, points and sites are counted with 32 bits (half the memory traffic of the hot
+ * loops); sizes are checked where data enters (Mesh/Intake, Optimization/Sampling), so nothing
+ * overflows later. Offsets into arrays of pieces and ids of the caller's data have 64 bits.
+ */
+#ifndef remesh_Types_h
+#define remesh_Types_h
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include <Eigen/Core>
+
+namespace remesh
+{
+using Index = std::int32_t;  ///< facet, corner, point or site
+using Offset = std::int64_t; ///< position in an array of pieces; id in the caller's data
+
+using Point3 = Eigen::Vector3d;
+using Triple = std::array<Index, 3>;
+
+constexpr Index noIndex = -1;
+constexpr std::int64_t maximumIndex = std::numeric_limits<Index>::max() - 1;
+}
+
+#endif

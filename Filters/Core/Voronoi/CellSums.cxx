@@ -1,0 +1,151 @@
+#include "Voronoi/CellSums.h"
+
+#include "Support/Parallel.h"
+
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+constexpr int scalars = 3; // mass, area, energy
+
+/** For each site, its entries (block, slot) in the order of the blocks. */
+struct EntriesOfSites
+{
+  struct Entry
+  {
+    Index block;
+    Index slot;
+  };
+  std::vector<Offset> begin; ///< n + 1
+  std::vector<Entry> entries;
+
+  EntriesOfSites(const std::vector<BlockSums>& blocks, Index numberOfSites)
+    : begin(static_cast<std::size_t>(numberOfSites) + 2, 0)
+  {
+    // Count two places up, scan, then fill: each start ends up one place down, where it belongs.
+    for (const BlockSums& block : blocks)
+    {
+      for (const Index site : block.sites)
+      {
+        ++this->begin[static_cast<std::size_t>(site) + 2];
+      }
+    }
+    for (std::size_t k = 2; k < this->begin.size(); ++k)
+    {
+      this->begin[k] += this->begin[k - 1];
+    }
+    this->entries.resize(static_cast<std::size_t>(this->begin.back()));
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+    {
+      for (std::size_t s = 0; s < blocks[b].sites.size(); ++s)
+      {
+        const auto site = static_cast<std::size_t>(blocks[b].sites[s]);
+        this->entries[this->begin[site + 1]++] = { static_cast<Index>(b), static_cast<Index>(s) };
+      }
+    }
+    this->begin.pop_back();
+  }
+};
+}
+
+BlockAccumulator::BlockAccumulator(const EmbeddedSurface& surface, const Sites& sites)
+  : m_surface(surface)
+  , m_sites(sites)
+  , m_slotOfSite(static_cast<std::size_t>(sites.count()))
+  , m_blockOfSlot(static_cast<std::size_t>(sites.count()), 0)
+{
+}
+
+void BlockAccumulator::begin(BlockSums& sums)
+{
+  m_sums = &sums;
+  ++m_block;
+}
+
+double* BlockAccumulator::valuesOf(Index site)
+{
+  const std::size_t stride = scalars + static_cast<std::size_t>(m_surface.dimension);
+  if (m_blockOfSlot[site] != m_block)
+  {
+    m_blockOfSlot[site] = m_block;
+    m_slotOfSite[site] = static_cast<Index>(m_sums->sites.size());
+    m_sums->sites.push_back(site);
+    m_sums->values.resize(m_sums->values.size() + stride, 0.0);
+  }
+  return m_sums->values.data() + static_cast<std::size_t>(m_slotOfSite[site]) * stride;
+}
+
+void BlockAccumulator::add(Index facet, Index site, const PieceIntegral& piece)
+{
+  const int d = m_surface.dimension;
+  const FacetConstants& constants = m_surface.constants[facet];
+  double* values = this->valuesOf(site);
+  values[0] += piece.fraction * constants.mass;
+  values[1] += piece.fraction * constants.area;
+  values[2] += piece.energy;
+  const Triple& corners = m_surface.facetCorners[facet];
+  const double* p0 = m_surface.corner(corners[0]);
+  const double* p1 = m_surface.corner(corners[1]);
+  const double* p2 = m_surface.corner(corners[2]);
+  const double* x = m_sites.site(site);
+  const double w0 = piece.weights[0] * constants.mass;
+  const double w1 = piece.weights[1] * constants.mass;
+  const double w2 = piece.weights[2] * constants.mass;
+  double* moment = values + scalars;
+  for (int k = 0; k < d; ++k)
+  {
+    moment[k] += w0 * (p0[k] - x[k]) + w1 * (p1[k] - x[k]) + w2 * (p2[k] - x[k]);
+  }
+}
+
+Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, int dimension,
+  const RunControl& control, CellSums& sums)
+{
+  const auto n = static_cast<std::size_t>(numberOfSites);
+  const auto d = static_cast<std::size_t>(dimension);
+  sums.mass.assign(n, 0.0);
+  sums.area.assign(n, 0.0);
+  sums.energy.assign(n, 0.0);
+  sums.moment.assign(n * d, 0.0);
+  const EntriesOfSites table(blocks, numberOfSites);
+  const bool done = forEachRange(Blocks::cut(numberOfSites, 256, 4096), control,
+    [&](Offset first, Offset last)
+    {
+      for (Offset site = first; site < last; ++site)
+      {
+        double* moment = sums.moment.data() + static_cast<std::size_t>(site) * d;
+        for (Offset e = table.begin[site]; e < table.begin[site + 1]; ++e)
+        {
+          const auto [block, slot] = table.entries[e];
+          const double* values =
+            blocks[block].values.data() + static_cast<std::size_t>(slot) * (scalars + d);
+          sums.mass[site] += values[0];
+          sums.area[site] += values[1];
+          sums.energy[site] += values[2];
+          for (std::size_t k = 0; k < d; ++k)
+          {
+            moment[k] += values[scalars + k];
+          }
+        }
+      }
+    });
+  if (!done)
+  {
+    return Status::cancelled();
+  }
+  sums.totalEnergy = 0.0;
+  for (const double energy : sums.energy)
+  {
+    sums.totalEnergy += energy;
+  }
+  double squared = 0.0;
+  for (const double moment : sums.moment)
+  {
+    squared += moment * moment;
+  }
+  sums.gradientNorm = 2.0 * std::sqrt(squared);
+  return Status::success();
+}
+}

@@ -1,0 +1,63 @@
+/**
+ * @file CellSums.h
+ * @brief Integrals over the restricted cells, summed in an order that does not depend on threads.
+ *
+ * Accumulate: each block of facets fills its own sparse sums. Reduce: each site adds up the sums of
+ * its blocks in the order of the blocks. (A distributed version would put its exchange between.)
+ */
+#ifndef remesh_CellSums_h
+#define remesh_CellSums_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+#include "Voronoi/PieceIntegral.h"
+
+namespace remesh
+{
+/** Per site, in scaled units (area in the unit of the points). */
+struct CellSums
+{
+  std::vector<double> mass;   ///< n, area of the cell in R^d
+  std::vector<double> area;   ///< n, area of the cell in R^3
+  std::vector<double> energy; ///< n, integral of |x - x_i|^2 over the cell
+  std::vector<double> moment; ///< n x d, integral of x - x_i over the cell
+
+  double totalEnergy = 0.0;
+  /** 2-norm of the gradient, grad_i = 2 m_i (x_i - g_i) = -2 moment_i. */
+  double gradientNorm = 0.0;
+};
+
+/** Sums of one block, for the sites it meets. */
+struct BlockSums
+{
+  std::vector<Index> sites;
+  std::vector<double> values; ///< per site: mass, area, energy, then d of moment
+};
+
+/** Collects the sums of one block after the other; one per thread. */
+class BlockAccumulator
+{
+public:
+  BlockAccumulator(const EmbeddedSurface& surface, const Sites& sites);
+
+  void begin(BlockSums& sums);
+  void add(Index facet, Index site, const PieceIntegral& piece);
+
+private:
+  double* valuesOf(Index site);
+
+  const EmbeddedSurface& m_surface;
+  const Sites& m_sites;
+  BlockSums* m_sums = nullptr;
+  std::vector<Index> m_slotOfSite;  ///< n, valid where m_blockOfSlot is this block
+  std::vector<Index> m_blockOfSlot; ///< n
+  Index m_block = 0;                ///< counts the calls of begin()
+};
+
+/** Adds the blocks up, parallel over sites. O(entries d). */
+Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, int dimension,
+  const RunControl& control, CellSums& sums);
+}
+
+#endif

@@ -1,0 +1,198 @@
+#include "Voronoi/FacetDecomposition.h"
+
+#include "Embedding/Distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+/** More candidates than this, and clipping all against all costs more than walking the lists. */
+constexpr int mostCandidates = 32;
+/** Far above the rounding of a distance, far below what would add candidates. */
+constexpr double aboveRounding = 1.0 + 1e-9;
+}
+
+template <int D>
+FacetDecomposition<D>::FacetDecomposition(const EmbeddedSurface& surface, const Sites& sites,
+  const NeighborLists& lists, const std::vector<Index>& owners)
+  : m_surface(surface)
+  , m_sites(sites)
+  , m_lists(lists)
+  , m_owners(owners)
+  , m_security(surface.dimension)
+  , m_slotOfSite(static_cast<std::size_t>(sites.count()))
+  , m_cutOfSlot(static_cast<std::size_t>(sites.count()), 0)
+  , m_center(static_cast<std::size_t>(surface.dimension))
+{
+}
+
+template <int D>
+FacetSite FacetDecomposition<D>::see(Index facet, Index site) const
+{
+  FacetSite seen;
+  seen.id = site;
+  const double* x = m_sites.site(site);
+  for (int k = 0; k < 3; ++k)
+  {
+    const double* corner = m_surface.corner(m_surface.facetCorners[facet][k]);
+    seen.h[k] = squaredDistance<D>(x, corner, m_surface.dimension);
+  }
+  return seen;
+}
+
+template <int D>
+int FacetDecomposition<D>::slotOf(Index facet, Index site)
+{
+  if (m_cutOfSlot[site] != m_cut)
+  {
+    m_cutOfSlot[site] = m_cut;
+    m_slotOfSite[site] = m_tiling.addSite(this->see(facet, site));
+    m_queued.push_back(0);
+  }
+  return m_slotOfSite[site];
+}
+
+template <int D>
+void FacetDecomposition<D>::enqueue(int slot)
+{
+  if (m_queued[slot])
+  {
+    return;
+  }
+  m_queued[slot] = 1;
+  if (m_used == m_pieces.size())
+  {
+    m_pieces.emplace_back();
+  }
+  m_pieces[m_used++].slot = slot;
+}
+
+template <int D>
+bool FacetDecomposition<D>::gatherCandidates(Index facet)
+{
+  const int d = m_surface.dimension;
+  const Triple& corners = m_surface.facetCorners[facet];
+  const double* p0 = m_surface.corner(corners[0]);
+  const double* p1 = m_surface.corner(corners[1]);
+  const double* p2 = m_surface.corner(corners[2]);
+  for (int k = 0; k < d; ++k)
+  {
+    m_center[k] = (p0[k] + p1[k] + p2[k]) * (1.0 / 3.0);
+  }
+  Index owner = noIndex;
+  double nearest = 0.0;
+  for (const Index corner : corners)
+  {
+    const Index site = m_owners[corner];
+    const double distance =
+      std::sqrt(squaredDistance<D>(m_sites.site(site), m_center.data(), d));
+    if (owner == noIndex || distance < nearest)
+    {
+      owner = site;
+      nearest = distance;
+    }
+  }
+  const double bound = (nearest + 2.0 * m_surface.constants[facet].radius) * aboveRounding;
+  const double reach = (nearest + bound) * aboveRounding;
+  const Neighbor* neighbor = m_lists.begin(owner);
+  const Neighbor* end = neighbor + m_lists.length();
+  const double bound2 = bound * bound;
+  for (; neighbor != end && neighbor->distance <= reach; ++neighbor)
+  {
+    if (squaredDistance<D>(m_sites.site(neighbor->site), m_center.data(), d) <= bound2)
+    {
+      if (m_tiling.numberOfSites() >= mostCandidates)
+      {
+        return false;
+      }
+      this->slotOf(facet, neighbor->site);
+    }
+  }
+  return neighbor != end || m_lists.complete();
+}
+
+template <int D>
+void FacetDecomposition<D>::clipWithCandidates(FacetPiece& piece)
+{
+  for (int q = 0; q < m_tiling.numberOfSites() && !piece.polygon.empty(); ++q)
+  {
+    if (q != piece.slot)
+    {
+      m_tiling.clip(piece.polygon, piece.slot, q);
+    }
+  }
+}
+
+template <int D>
+void FacetDecomposition<D>::clipWithNeighbors(Index facet, FacetPiece& piece)
+{
+  const FacetSite site = m_tiling.site(piece.slot);
+  const double reach2 = std::max({ site.h[0], site.h[1], site.h[2] });
+  const double reach = std::sqrt(reach2);
+  const auto radiusNow = [&]()
+  { return m_security.roundUp(m_tiling.squaredRadius(piece.polygon, piece.slot), reach2); };
+  double radius = radiusNow();
+  NeighborWalk walk(m_lists, m_longer, site.id);
+  while (const Neighbor* neighbor = walk.next())
+  {
+    if (m_security.excludes(neighbor->distance, radius, reach) || piece.polygon.empty())
+    {
+      return;
+    }
+    if (m_tiling.clip(piece.polygon, piece.slot, this->slotOf(facet, neighbor->site)))
+    {
+      radius = radiusNow();
+    }
+  }
+}
+
+template <int D>
+void FacetDecomposition<D>::cut(Index facet)
+{
+  m_tiling.begin(m_surface.facetCorners[facet], m_surface.constants[facet]);
+  ++m_cut;
+  m_queued.clear();
+  m_used = 0;
+  for (const Index corner : m_surface.facetCorners[facet])
+  {
+    this->enqueue(this->slotOf(facet, m_owners[corner]));
+  }
+  const bool haveCandidates = m_used == 1 || this->gatherCandidates(facet);
+  for (std::size_t next = 0; next < m_used; ++next)
+  {
+    FacetPiece& piece = m_pieces[next];
+    m_tiling.wholeFacet(piece.polygon);
+    if (haveCandidates)
+    {
+      if (m_used > 1)
+      {
+        this->clipWithCandidates(piece);
+      }
+    }
+    else
+    {
+      this->clipWithNeighbors(facet, piece);
+    }
+    // `piece` may move when the queue grows.
+    for (std::size_t v = 0; v < m_pieces[next].polygon.size(); ++v)
+    {
+      const int across = m_pieces[next].polygon[v].edge;
+      if (across >= 0)
+      {
+        this->enqueue(across);
+      }
+    }
+  }
+  std::sort(m_pieces.begin(), m_pieces.begin() + static_cast<std::ptrdiff_t>(m_used),
+    [this](const FacetPiece& a, const FacetPiece& b)
+    { return m_tiling.site(a.slot).id < m_tiling.site(b.slot).id; });
+}
+
+template class FacetDecomposition<3>;
+template class FacetDecomposition<6>;
+template class FacetDecomposition<8>;
+template class FacetDecomposition<Eigen::Dynamic>;
+}

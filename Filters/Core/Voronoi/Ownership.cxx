@@ -1,0 +1,74 @@
+#include "Voronoi/Ownership.h"
+
+#include "Embedding/Distance.h"
+#include "Support/Parallel.h"
+#include "Voronoi/SecurityRadius.h"
+
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+/**
+ * A site nearer to the point than `owner`, or noIndex. Sites farther than twice the owner's
+ * distance from the owner cannot be.
+ */
+template <int D>
+Index findNearer(const double* point, Index owner, const Sites& sites, const NeighborLists& lists,
+  LongerLists& longer)
+{
+  const int d = sites.dimension;
+  const SecurityRadius security(d);
+  const double owned = squaredDistance<D>(sites.site(owner), point, d);
+  const double radius = std::sqrt(owned);
+  NeighborWalk walk(lists, longer, owner);
+  while (const Neighbor* neighbor = walk.next())
+  {
+    if (security.excludes(neighbor->distance, radius, radius))
+    {
+      return noIndex;
+    }
+    const double other = squaredDistance<D>(sites.site(neighbor->site), point, d);
+    if (other < owned || (other == owned && neighbor->site < owner))
+    {
+      return neighbor->site;
+    }
+  }
+  return noIndex;
+}
+}
+
+Status findOwners(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
+  const RunControl& control, std::vector<Index>& owners)
+{
+  const bool known = owners.size() == static_cast<std::size_t>(surface.numberOfCorners());
+  owners.resize(static_cast<std::size_t>(surface.numberOfCorners()));
+  const auto walkTo = [&](auto dimension, Index corner, LongerLists& longer)
+  {
+    const double* point = surface.corner(corner);
+    Index owner = known ? owners[corner] : lists.search().nearest(point);
+    for (Index nearer = owner; nearer != noIndex;)
+    {
+      owner = nearer;
+      nearer =
+        findNearer<decltype(dimension)::value>(point, owner, sites, lists, longer);
+    }
+    owners[corner] = owner;
+  };
+  const bool done = forEachRange(Blocks::cut(surface.numberOfCorners(), 1024, 4096), control,
+    [&](Offset begin, Offset end)
+    {
+      LongerLists longer;
+      dispatchDimension(sites.dimension,
+        [&](auto dimension)
+        {
+          for (Offset corner = begin; corner < end; ++corner)
+          {
+            walkTo(dimension, static_cast<Index>(corner), longer);
+          }
+        });
+    });
+  return done ? Status::success() : Status::cancelled();
+}
+}

@@ -1,0 +1,61 @@
+/**
+ * @file RestrictedVoronoi.h
+ * @brief The restricted Voronoi diagram of sites on a surface in R^d.
+ *
+ * Each evaluation:
+ * 1. neighbour lists of the sites (NeighborLists.h);
+ * 2. owner of each corner, the site nearest to it, by walking from its last owner;
+ * 3. blocks of facets: facets with one owner are taken whole, the others are cut
+ *    (FacetDecomposition.h), and each block keeps its own sums;
+ * 4. the blocks are added up (CellSums.h), or their pieces are strung together (Diagram.h).
+ *
+ * Exact (ties included, see Predicates.h) and reproducible: neither the back-end, the threads nor
+ * the order of the blocks changes a bit of the result. Cost about a F + b n.
+ */
+#ifndef remesh_RestrictedVoronoi_h
+#define remesh_RestrictedVoronoi_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+#include "Voronoi/CellSums.h"
+#include "Voronoi/Diagram.h"
+#include "Voronoi/NeighborLists.h"
+
+namespace remesh
+{
+class RestrictedVoronoi
+{
+public:
+  /** The surface must outlive this object. */
+  explicit RestrictedVoronoi(const EmbeddedSurface& surface)
+    : m_surface(surface)
+  {
+  }
+
+  /** Integrals over the cells of these sites (at least one). */
+  Status integrate(const Sites& sites, const RunControl& control, CellSums& sums);
+
+  /** The pieces of all cells and the same integrals. */
+  Status decompose(
+    const Sites& sites, const RunControl& control, CellSums& sums, Diagram& diagram);
+
+  /** Site that owns each corner (C), of the last evaluation. */
+  const std::vector<Index>& owners() const { return m_owners; }
+  /** Diagrams computed so far. */
+  int evaluations() const { return m_evaluations; }
+
+private:
+  Status locate(const Sites& sites, const RunControl& control);
+  template <int D>
+  Status evaluate(
+    const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram);
+
+  const EmbeddedSurface& m_surface;
+  NeighborLists m_lists;
+  std::vector<Index> m_owners; ///< C
+  int m_evaluations = 0;
+};
+}
+
+#endif

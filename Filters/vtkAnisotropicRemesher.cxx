@@ -1,0 +1,62 @@
+#include "vtkAnisotropicRemesher.h"
+
+#include "Remesh.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+
+vtkStandardNewMacro(vtkAnisotropicRemesher);
+
+vtkAnisotropicRemesher::vtkAnisotropicRemesher() = default;
+vtkAnisotropicRemesher::~vtkAnisotropicRemesher() = default;
+
+int vtkAnisotropicRemesher::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkAnisotropicRemesher::SetInitialSitesConnection(vtkAlgorithmOutput* port)
+{
+  this->SetInputConnection(1, port);
+}
+
+void vtkAnisotropicRemesher::SetInitialSitesData(vtkDataObject* sites)
+{
+  this->SetInputData(1, sites);
+}
+
+int vtkAnisotropicRemesher::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
+  const vtkIdType points =
+    initialSites ? initialSites->GetNumberOfPoints() : this->NumberOfPoints;
+  if (points < 4)
+  {
+    vtkErrorMacro("A mesh needs at least 4 points; "
+      << points << (initialSites ? " initial sites were given." : " were asked for."));
+    return 0;
+  }
+  remesh::RemeshOptions options;
+  options.numberOfSites = this->NumberOfPoints;
+  options.sampling = this->SamplingMethod == RANDOM ? remesh::SamplingMethod::Random
+                                                    : remesh::SamplingMethod::Stratified;
+  options.seed = static_cast<std::uint64_t>(this->Seed);
+  options.lloydIterations = this->NumberOfLloydIterations;
+  return this->ComputeDiagram(inputVector, outputVector, options, initialSites, this->Seed);
+}
+
+void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "SamplingMethod: " << this->SamplingMethod << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfLloydIterations: " << this->NumberOfLloydIterations << "\n";
+}

@@ -1,0 +1,94 @@
+/**
+ * @class   vtkAnisotropicRemesher
+ * @brief   Remeshes a surface with a given number of points, adapted to its curvature.
+ *
+ * The surface is embedded in R^d (see vtkEmbeddedSurfaceAlgorithm), sampled with
+ * `NumberOfPoints` sites, and the sites are moved by Lloyd's iterations towards a centroidal
+ * Voronoi tessellation restricted to it ([Levy12], Algorithms 2 to 4). The dual of the restricted
+ * Voronoi diagram is the new mesh: isotropic in R^d, and so in R^3 long along flat directions and
+ * dense where the surface bends.
+ *
+ * Input port 0: the surface. Input port 1 (optional): initial sites. Their number replaces
+ * `NumberOfPoints`; their point array `Embedding`, if it has d components, is their place in R^d,
+ * else each is put at the surface's point closest to it.
+ * Output ports: see vtkRestrictedVoronoiAlgorithm.
+ *
+ * Empty input gives empty outputs. Unusable input (no polygons, non-finite coordinates, fewer than
+ * 4 points asked for, wrong arrays) is an error, and all outputs are empty.
+ *
+ * Cost: about proportional to facets + sites for each iteration; memory proportional to
+ * (facets + sites) d.
+ */
+#ifndef vtkAnisotropicRemesher_h
+#define vtkAnisotropicRemesher_h
+
+#include "vtkRestrictedVoronoiAlgorithm.h"
+
+class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkAnisotropicRemesher
+  : public vtkRestrictedVoronoiAlgorithm
+{
+public:
+  static vtkAnisotropicRemesher* New();
+  vtkTypeMacro(vtkAnisotropicRemesher, vtkRestrictedVoronoiAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SamplingMethods
+  {
+    RANDOM = 0,
+    STRATIFIED = 1
+  };
+
+  ///@{
+  /**
+   * Number of sites, default 10000. Fewer than 4 is an error when the filter runs. The mesh has
+   * more points where restricted cells are not connected (see `NumberOfExtraPoints`).
+   */
+  vtkSetClampMacro(NumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(NumberOfPoints, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * How the first sites are drawn: RANDOM ([Levy12], Algorithm 4) or STRATIFIED (default: one site
+   * in each of `NumberOfPoints` strata of equal area).
+   */
+  vtkSetClampMacro(SamplingMethod, int, RANDOM, STRATIFIED);
+  vtkGetMacro(SamplingMethod, int);
+  ///@}
+
+  ///@{
+  /** Seed of the random numbers, default 0. */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /** Lloyd's iterations ([Levy12], Algorithm 3), 0 to 100000, default 50. */
+  vtkSetClampMacro(NumberOfLloydIterations, int, 0, 100000);
+  vtkGetMacro(NumberOfLloydIterations, int);
+  ///@}
+
+  ///@{
+  /** The optional initial sites, input port 1. */
+  void SetInitialSitesConnection(vtkAlgorithmOutput* port);
+  void SetInitialSitesData(vtkDataObject* sites);
+  ///@}
+
+protected:
+  vtkAnisotropicRemesher();
+  ~vtkAnisotropicRemesher() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkAnisotropicRemesher(const vtkAnisotropicRemesher&) = delete;
+  void operator=(const vtkAnisotropicRemesher&) = delete;
+
+  vtkIdType NumberOfPoints = 10000;
+  int SamplingMethod = STRATIFIED;
+  int Seed = 0;
+  int NumberOfLloydIterations = 50;
+};
+
+#endif

@@ -1,0 +1,225 @@
+#include "vtkEmbeddedSurfaceAlgorithm.h"
+
+#include "vtkEmbeddedSurfaceInternals.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <exception>
+#include <new>
+
+namespace
+{
+/** A point array chosen by SetInputArrayToProcess; "" and "None" mean none. */
+remesh::Status findChosenArray(
+  vtkInformation* choice, vtkPolyData* input, const char* role, vtkDataArray*& array)
+{
+  array = nullptr;
+  const char* name =
+    choice && choice->Has(vtkDataObject::FIELD_NAME()) ? choice->Get(vtkDataObject::FIELD_NAME())
+                                                       : nullptr;
+  if (!name || !*name)
+  {
+    return remesh::Status::success();
+  }
+  array = input->GetPointData()->GetArray(name);
+  if (array || std::string(name) == "None")
+  {
+    return remesh::Status::success();
+  }
+  return remesh::Status::invalid(std::string("The input has no numeric point array \"") + name +
+    "\", chosen as the " + role + ".");
+}
+}
+
+vtkEmbeddedSurfaceAlgorithm::vtkEmbeddedSurfaceAlgorithm()
+  : Internals(new vtkInternals)
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
+}
+
+vtkEmbeddedSurfaceAlgorithm::~vtkEmbeddedSurfaceAlgorithm() = default;
+
+int vtkEmbeddedSurfaceAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    return 1;
+  }
+  return 0;
+}
+
+void vtkEmbeddedSurfaceAlgorithm::AddCoordinateArray(const char* name, double scale)
+{
+  if (!name || !*name || !std::isfinite(scale))
+  {
+    vtkErrorMacro("A coordinate array needs a name and a finite scale.");
+    return;
+  }
+  this->Internals->CoordinateArrays.emplace_back(name, scale);
+  this->Modified();
+}
+
+void vtkEmbeddedSurfaceAlgorithm::ClearCoordinateArrays()
+{
+  if (!this->Internals->CoordinateArrays.empty())
+  {
+    this->Internals->CoordinateArrays.clear();
+    this->Modified();
+  }
+}
+
+int vtkEmbeddedSurfaceAlgorithm::GetNumberOfCoordinateArrays() const
+{
+  return static_cast<int>(this->Internals->CoordinateArrays.size());
+}
+
+const char* vtkEmbeddedSurfaceAlgorithm::GetCoordinateArrayName(int index) const
+{
+  const auto& arrays = this->Internals->CoordinateArrays;
+  return index >= 0 && index < this->GetNumberOfCoordinateArrays() ? arrays[index].first.c_str()
+                                                                   : nullptr;
+}
+
+double vtkEmbeddedSurfaceAlgorithm::GetCoordinateArrayScale(int index) const
+{
+  const auto& arrays = this->Internals->CoordinateArrays;
+  return index >= 0 && index < this->GetNumberOfCoordinateArrays() ? arrays[index].second : 0.0;
+}
+
+void vtkEmbeddedSurfaceAlgorithm::SetEmbeddingArray(const char* name)
+{
+  this->SetInputArrayToProcess(
+    1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name ? name : "");
+}
+
+vtkIdType vtkEmbeddedSurfaceAlgorithm::GetNumberOfInputComponents() const
+{
+  return this->Internals->LastRun.Intake.components;
+}
+
+vtkIdType vtkEmbeddedSurfaceAlgorithm::GetNumberOfDroppedTriangles() const
+{
+  return this->Internals->LastRun.Intake.dropped();
+}
+
+vtkIdType vtkEmbeddedSurfaceAlgorithm::GetNumberOfMergedPoints() const
+{
+  return this->Internals->LastRun.Intake.mergedPoints;
+}
+
+const char* vtkEmbeddedSurfaceAlgorithm::GetUsedBackend() const
+{
+  return this->Internals->LastRun.Execution.backend.c_str();
+}
+
+int vtkEmbeddedSurfaceAlgorithm::GetNumberOfUsedThreads() const
+{
+  return this->Internals->LastRun.Execution.threads;
+}
+
+remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
+  vtkEmbeddedSurfaceAlgorithm* self, vtkInformationVector** inputVector,
+  remesh::PreparationRequest& request)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  request.gaussMap = self->EmbeddingMode == GAUSS_MAP;
+  request.anisotropy = self->Anisotropy;
+  request.normalSmoothingPasses = self->NormalSmoothingPasses;
+  request.mergeTolerance = self->MergeTolerance;
+
+  // The active normals unless an array was chosen by name.
+  vtkInformation* choice = self->GetInputArrayInformation(0);
+  request.normalsRequired = choice->Has(vtkDataObject::FIELD_NAME());
+  if (!request.normalsRequired)
+  {
+    request.normals = input->GetPointData()->GetNormals();
+  }
+  else if (remesh::Status status = findChosenArray(choice, input, "normals", request.normals);
+           !status.ok())
+  {
+    return status;
+  }
+  vtkInformation* embedding = self->GetInputArrayInformation(1);
+  if (remesh::Status status =
+        findChosenArray(embedding, input, "embedding", request.embedding);
+      !status.ok())
+  {
+    return status;
+  }
+  for (const auto& [name, scale] : self->Internals->CoordinateArrays)
+  {
+    vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+    if (!array)
+    {
+      return remesh::Status::invalid("The input has no numeric point array \"" + name +
+        "\", chosen as coordinates of the embedding.");
+    }
+    request.coordinates.emplace_back(array, scale);
+  }
+  return remesh::Status::success();
+}
+
+int vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(
+  vtkEmbeddedSurfaceAlgorithm* self, const std::function<remesh::Status()>& work)
+{
+  static const char* const names[] = { "", "Sequential", "STDThread", "TBB" };
+  bool available = true;
+  remesh::Execution execution =
+    remesh::chooseExecution(names[self->SMPBackend], self->NumberOfThreads, available);
+  if (!available)
+  {
+    vtkWarningWithObjectMacro(self, "This VTK has no SMP back-end "
+        << names[self->SMPBackend] << "; " << execution.backend << " is used.");
+  }
+  remesh::Status status;
+  try
+  {
+    remesh::runInScope(execution, [&]() { status = work(); });
+  }
+  catch (const std::bad_alloc&)
+  {
+    status = { remesh::StatusCode::OutOfMemory, "There is not enough memory for this run." };
+  }
+  self->Internals->LastRun.Execution = execution;
+  switch (status.code)
+  {
+    case remesh::StatusCode::Ok:
+    case remesh::StatusCode::EmptyInput:
+      return 1;
+    case remesh::StatusCode::Cancelled:
+      return 0;
+    default:
+      vtkErrorWithObjectMacro(self, << status.message);
+      return 0;
+  }
+}
+
+void vtkEmbeddedSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "EmbeddingMode: " << this->EmbeddingMode << "\n";
+  os << indent << "Anisotropy: " << this->Anisotropy << "\n";
+  os << indent << "NormalSmoothingPasses: " << this->NormalSmoothingPasses << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "CoordinateArrays: " << this->GetNumberOfCoordinateArrays() << "\n";
+  for (const auto& [name, scale] : this->Internals->CoordinateArrays)
+  {
+    os << indent.GetNextIndent() << name << " * " << scale << "\n";
+  }
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "SMPBackend: " << this->SMPBackend << "\n";
+  os << indent << "NumberOfInputComponents: " << this->GetNumberOfInputComponents() << "\n";
+  os << indent << "NumberOfDroppedTriangles: " << this->GetNumberOfDroppedTriangles() << "\n";
+  os << indent << "NumberOfMergedPoints: " << this->GetNumberOfMergedPoints() << "\n";
+  os << indent << "UsedBackend: " << this->GetUsedBackend() << "\n";
+  os << indent << "NumberOfUsedThreads: " << this->GetNumberOfUsedThreads() << "\n";
+}

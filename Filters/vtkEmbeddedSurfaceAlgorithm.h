@@ -1,0 +1,161 @@
+/**
+ * @class   vtkEmbeddedSurfaceAlgorithm
+ * @brief   What all filters on embedded surfaces share: intake, embedding and threads.
+ *
+ * The input is any vtkPolyData with polygons or triangle strips. Intake cuts polygons into
+ * triangles (quadrilaterals along the shorter diagonal), merges coincident points, drops
+ * degenerate and duplicate triangles, ignores unused points, vertices and lines, and makes the
+ * orientation consistent where the surface is orientable. Non-manifold edges, open borders and
+ * several components are accepted.
+ *
+ * The surface is then embedded in R^d:
+ * - `GAUSS_MAP` (d = 6): position and normal times `Anisotropy` times the bounding-box diagonal
+ *   ([Levy12], section 3.2); with `Anisotropy` 0 or mode `POSITION`, position alone (d = 3);
+ * - each coordinate array appends its components, times its scale, to that;
+ * - an embedding array (input array 1) replaces all of it (any d from 2).
+ *
+ * Input arrays to process: 0, the point normals (default: the active ones; used as they are;
+ * if there are none, normals are estimated, weighted by angle and smoothed); 1, the embedding
+ * array (default: none).
+ *
+ * @par Reference:
+ * B. Levy, N. Bonneel: Variational Anisotropic Surface Meshing with Voronoi Parallel Linear
+ * Enumeration. 21st International Meshing Roundtable, 2012. "[Levy12]"
+ */
+#ifndef vtkEmbeddedSurfaceAlgorithm_h
+#define vtkEmbeddedSurfaceAlgorithm_h
+
+#include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+
+class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkEmbeddedSurfaceAlgorithm
+  : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkEmbeddedSurfaceAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum EmbeddingModes
+  {
+    POSITION = 0,
+    GAUSS_MAP = 1
+  };
+
+  enum SMPBackends
+  {
+    SMP_AUTOMATIC = 0,
+    SMP_SEQUENTIAL = 1,
+    SMP_STDTHREAD = 2,
+    SMP_TBB = 3
+  };
+
+  ///@{
+  /**
+   * The embedding: POSITION (d = 3, isotropic) or GAUSS_MAP (d = 6, default). Not used when an
+   * embedding array is chosen.
+   */
+  vtkSetClampMacro(EmbeddingMode, int, POSITION, GAUSS_MAP);
+  vtkGetMacro(EmbeddingMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * How much the normals count: the length given to a unit normal, as a fraction of the
+   * bounding-box diagonal. 0 to 1, default 0.04; usual values are 0.02 to 0.1; 0 is isotropic.
+   */
+  vtkSetClampMacro(Anisotropy, double, 0.0, 1.0);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Passes of 1-ring averaging over estimated normals, -1 to 10000. Default -1 chooses (3 passes).
+   * Given normals are never smoothed.
+   */
+  vtkSetClampMacro(NormalSmoothingPasses, int, -1, 10000);
+  vtkGetMacro(NormalSmoothingPasses, int);
+  ///@}
+
+  ///@{
+  /**
+   * Input points closer than this fraction of the bounding-box diagonal become one point.
+   * 0 to 0.1; default 0: only points with equal coordinates.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, 0.1);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Point arrays whose components, times a scale (length per array unit), are appended to position
+   * and normal. An array that the input lacks is an error when the filter runs.
+   */
+  void AddCoordinateArray(const char* name, double scale);
+  void ClearCoordinateArrays();
+  int GetNumberOfCoordinateArrays() const;
+  const char* GetCoordinateArrayName(int index) const;
+  double GetCoordinateArrayScale(int index) const;
+  ///@}
+
+  /**
+   * The point array that replaces the embedding: input array to process 1. nullptr or "": none.
+   * Shape: one tuple of d >= 2 finite components per input point, in any unit.
+   */
+  void SetEmbeddingArray(const char* name);
+
+  ///@{
+  /**
+   * Threads to use, 0 to 1024; default 0: as many as the back-end offers. The output does not
+   * depend on it.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * The vtkSMPTools back-end of this filter alone. Automatic (default) takes VTK's current one, or
+   * STDThread where that is Sequential, as in ParaView. One that this VTK lacks gives a warning
+   * and the automatic choice. The output does not depend on it.
+   */
+  vtkSetClampMacro(SMPBackend, int, SMP_AUTOMATIC, SMP_TBB);
+  vtkGetMacro(SMPBackend, int);
+  ///@}
+
+  ///@{
+  /** Facts about the last execution's intake. 0 before the first. */
+  vtkIdType GetNumberOfInputComponents() const;
+  vtkIdType GetNumberOfDroppedTriangles() const;
+  vtkIdType GetNumberOfMergedPoints() const;
+  ///@}
+
+  ///@{
+  /** Back-end and threads of the last execution. "" and 0 before the first. */
+  const char* GetUsedBackend() const;
+  int GetNumberOfUsedThreads() const;
+  ///@}
+
+protected:
+  vtkEmbeddedSurfaceAlgorithm();
+  ~vtkEmbeddedSurfaceAlgorithm() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+
+private:
+  vtkEmbeddedSurfaceAlgorithm(const vtkEmbeddedSurfaceAlgorithm&) = delete;
+  void operator=(const vtkEmbeddedSurfaceAlgorithm&) = delete;
+
+  int EmbeddingMode = GAUSS_MAP;
+  double Anisotropy = 0.04;
+  int NormalSmoothingPasses = -1;
+  double MergeTolerance = 0.0;
+  int NumberOfThreads = 0;
+  int SMPBackend = SMP_AUTOMATIC;
+};
+
+#endif

@@ -1,0 +1,49 @@
+/**
+ * @file vtkEmbeddedSurfaceInternals.h
+ * @brief Private state of vtkEmbeddedSurfaceAlgorithm and its subclasses.
+ */
+#ifndef vtkEmbeddedSurfaceInternals_h
+#define vtkEmbeddedSurfaceInternals_h
+
+#include "vtkEmbeddedSurfaceAlgorithm.h"
+
+#include "Adaptors/ExecutionScope.h"
+#include "Adaptors/SurfacePreparation.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkPolyData;
+
+struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
+{
+  std::vector<std::pair<std::string, double>> CoordinateArrays;
+
+  /** Facts about the last execution. */
+  struct Facts
+  {
+    remesh::IntakeReport Intake;
+    remesh::Execution Execution;
+    int Dimension = 0;
+    int Iterations = 0;
+    int Evaluations = 0;
+    double Energy = 0.0;
+    std::map<std::string, double> Seconds;
+  } LastRun;
+
+  /** The filter's parameters and chosen arrays as a request; fails for arrays that are missing. */
+  static remesh::Status MakeRequest(vtkEmbeddedSurfaceAlgorithm* self,
+    vtkInformationVector** inputVector, remesh::PreparationRequest& request);
+
+  /**
+   * Runs `work` in the filter's threads and back-end, and turns its status into VTK's errors:
+   * returns 1 for success and for empty input, 0 after an error or when cancelled.
+   */
+  static int Execute(
+    vtkEmbeddedSurfaceAlgorithm* self, const std::function<remesh::Status()>& work);
+};
+
+#endif

@@ -1,0 +1,37 @@
+/**
+ * @class   vtkGaussMapEmbedding
+ * @brief   Adds the embedding of a surface in R^d as the point array `Embedding`.
+ *
+ * Output: the input, geometry and arrays untouched, with one more point array `Embedding`
+ * (double, d components, one tuple per input point): what vtkAnisotropicRemesher with the same
+ * parameters works on. Coincident points have the same tuple; points that no polygon uses have
+ * zeros after their position. Give the output to vtkAnisotropicRemesher with
+ * `SetEmbeddingArray("Embedding")`, or change the array first to make an embedding of your own.
+ *
+ * Unusable input is an error, as for vtkAnisotropicRemesher, and the output is empty.
+ */
+#ifndef vtkGaussMapEmbedding_h
+#define vtkGaussMapEmbedding_h
+
+#include "vtkEmbeddedSurfaceAlgorithm.h"
+
+class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkGaussMapEmbedding
+  : public vtkEmbeddedSurfaceAlgorithm
+{
+public:
+  static vtkGaussMapEmbedding* New();
+  vtkTypeMacro(vtkGaussMapEmbedding, vtkEmbeddedSurfaceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkGaussMapEmbedding();
+  ~vtkGaussMapEmbedding() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkGaussMapEmbedding(const vtkGaussMapEmbedding&) = delete;
+  void operator=(const vtkGaussMapEmbedding&) = delete;
+};
+
+#endif

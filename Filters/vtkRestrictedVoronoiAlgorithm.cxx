@@ -1,0 +1,180 @@
+#include "vtkRestrictedVoronoiAlgorithm.h"
+
+#include "vtkEmbeddedSurfaceInternals.h"
+
+#include "Adaptors/DiagramOutput.h"
+#include "Adaptors/ProgressAdaptor.h"
+#include "Adaptors/SitesInput.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <chrono>
+
+vtkRestrictedVoronoiAlgorithm::vtkRestrictedVoronoiAlgorithm()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(5);
+}
+
+vtkRestrictedVoronoiAlgorithm::~vtkRestrictedVoronoiAlgorithm() = default;
+
+int vtkRestrictedVoronoiAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+int vtkRestrictedVoronoiAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == CONVERGENCE ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+vtkPolyData* vtkRestrictedVoronoiAlgorithm::GetVoronoiCellsOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(VORONOI_CELLS));
+}
+
+vtkPolyData* vtkRestrictedVoronoiAlgorithm::GetSitesOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(SITES));
+}
+
+vtkTable* vtkRestrictedVoronoiAlgorithm::GetConvergenceOutput()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(CONVERGENCE));
+}
+
+vtkPolyData* vtkRestrictedVoronoiAlgorithm::GetEdgesOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(EDGES));
+}
+
+int vtkRestrictedVoronoiAlgorithm::GetDimension() const
+{
+  return this->Internals->LastRun.Dimension;
+}
+
+int vtkRestrictedVoronoiAlgorithm::GetNumberOfIterations() const
+{
+  return this->Internals->LastRun.Iterations;
+}
+
+int vtkRestrictedVoronoiAlgorithm::GetNumberOfEvaluations() const
+{
+  return this->Internals->LastRun.Evaluations;
+}
+
+double vtkRestrictedVoronoiAlgorithm::GetEnergy() const
+{
+  return this->Internals->LastRun.Energy;
+}
+
+double vtkRestrictedVoronoiAlgorithm::GetPhaseSeconds(const char* phase) const
+{
+  const auto& seconds = this->Internals->LastRun.Seconds;
+  const auto found = seconds.find(phase ? phase : "");
+  return found != seconds.end() ? found->second : 0.0;
+}
+
+int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, remesh::RemeshOptions& options, vtkPointSet* sites,
+  int seed)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto secondsSince = [](Clock::time_point start)
+  { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+  auto& facts = this->Internals->LastRun;
+  facts = {};
+  const remesh::RunControl control = remesh::makeRunControl(this);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  remesh::PreparedSurface prepared;
+  remesh::GivenSites given;
+  remesh::RemeshResult result;
+
+  const int succeeded = vtkInternals::Execute(this,
+    [&]() -> remesh::Status
+    {
+      const Clock::time_point start = Clock::now();
+      remesh::PreparationRequest request;
+      remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
+      if (status.ok())
+      {
+        status = remesh::prepareSurface(input, request, control.part(0.0, 0.1), prepared);
+      }
+      facts.Intake = prepared.intake;
+      if (status.ok() && sites)
+      {
+        status = remesh::readSites(sites, prepared, given);
+        options.initialSites = given.sites;
+      }
+      facts.Seconds["intake"] = secondsSince(start);
+      return status.ok() ? remesh::remesh(prepared.mesh, prepared.surface, options,
+                             control.part(0.1, 0.95), result)
+                         : status;
+    });
+  if (!succeeded || result.sites.count() == 0)
+  {
+    return succeeded;
+  }
+  for (const std::string& warning : prepared.warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (options.optimize && result.emptyCells > 0)
+  {
+    vtkWarningMacro(<< result.emptyCells
+                    << " sites have empty cells: the surface cannot hold so many points.");
+  }
+
+  const Clock::time_point start = Clock::now();
+  const remesh::DiagramSource source{ input, prepared, result, given.places, seed };
+  remesh::writeSurface(source, vtkPolyData::GetData(outputVector, SURFACE));
+  if (this->GenerateVoronoiCells || this->GenerateEdges)
+  {
+    const remesh::DiagramPoints points =
+      remesh::numberDiagramPoints(prepared.mesh, result.edges, result.diagram);
+    if (this->GenerateVoronoiCells)
+    {
+      remesh::writeVoronoiCells(source, points, this->MaximumCellEmbeddingDimension,
+        vtkPolyData::GetData(outputVector, VORONOI_CELLS));
+    }
+    if (this->GenerateEdges)
+    {
+      remesh::writeEdges(source, points, vtkPolyData::GetData(outputVector, EDGES));
+    }
+  }
+  remesh::writeSites(source, vtkPolyData::GetData(outputVector, SITES));
+  remesh::writeConvergence(source, vtkTable::GetData(outputVector, CONVERGENCE));
+
+  facts.Dimension = prepared.surface.dimension;
+  facts.Iterations = result.convergence.rows.back().iteration;
+  facts.Evaluations = result.evaluations;
+  facts.Energy = result.sums.totalEnergy * source.energyUnit();
+  facts.Seconds["sampling"] = result.seconds.sampling;
+  facts.Seconds["lloyd"] = result.seconds.lloyd;
+  facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkRestrictedVoronoiAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GenerateVoronoiCells: " << this->GenerateVoronoiCells << "\n";
+  os << indent << "GenerateEdges: " << this->GenerateEdges << "\n";
+  os << indent << "MaximumCellEmbeddingDimension: " << this->MaximumCellEmbeddingDimension << "\n";
+  os << indent << "Dimension: " << this->GetDimension() << "\n";
+  os << indent << "NumberOfIterations: " << this->GetNumberOfIterations() << "\n";
+  os << indent << "NumberOfEvaluations: " << this->GetNumberOfEvaluations() << "\n";
+  os << indent << "Energy: " << this->GetEnergy() << "\n";
+}
