@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -11,11 +12,19 @@
 
 namespace
 {
+struct Type
+{
+  int Size = 0; // bytes
+  bool Float = false;
+  bool Signed = false;
+};
+
 struct Property
 {
   std::string Name;
-  int CountSize = 0; // bytes of a list's length, 0: no list
-  int Size = 0;      // bytes of an item
+  bool List = false;
+  Type Length; // of a list
+  Type Item;
 };
 
 struct Element
@@ -23,16 +32,6 @@ struct Element
   std::string Name;
   std::int64_t Count = 0;
   std::vector<Property> Properties;
-
-  bool HasLists() const
-  {
-    bool lists = false;
-    for (const Property& property : this->Properties)
-    {
-      lists = lists || property.CountSize > 0;
-    }
-    return lists;
-  }
 };
 
 enum class Format
@@ -53,23 +52,28 @@ struct Header
   throw Failure("malformed PLY file, " + what);
 }
 
-int TypeSize(const std::string& type)
+Type ParseType(const std::string& name)
 {
   const struct
   {
     const char* Name;
-    int Size;
-  } types[] = { { "char", 1 }, { "int8", 1 }, { "uchar", 1 }, { "uint8", 1 }, { "short", 2 },
-    { "int16", 2 }, { "ushort", 2 }, { "uint16", 2 }, { "int", 4 }, { "int32", 4 }, { "uint", 4 },
-    { "uint32", 4 }, { "float", 4 }, { "float32", 4 }, { "double", 8 }, { "float64", 8 } };
+    Type Value;
+  } types[] = { { "char", { 1, false, true } }, { "int8", { 1, false, true } },
+    { "uchar", { 1, false, false } }, { "uint8", { 1, false, false } },
+    { "short", { 2, false, true } }, { "int16", { 2, false, true } },
+    { "ushort", { 2, false, false } }, { "uint16", { 2, false, false } },
+    { "int", { 4, false, true } }, { "int32", { 4, false, true } }, { "uint", { 4, false, false } },
+    { "uint32", { 4, false, false } }, { "float", { 4, true, true } },
+    { "float32", { 4, true, true } }, { "double", { 8, true, true } },
+    { "float64", { 8, true, true } } };
   for (const auto& known : types)
   {
-    if (type == known.Name)
+    if (name == known.Name)
     {
-      return known.Size;
+      return known.Value;
     }
   }
-  Malformed("unknown type '" + type.substr(0, 40) + "'");
+  Malformed("unknown type '" + name.substr(0, 40) + "'");
 }
 
 Property ParseProperty(std::istringstream& words)
@@ -79,15 +83,16 @@ Property ParseProperty(std::istringstream& words)
   words >> type;
   if (type == "list")
   {
-    std::string countType;
-    words >> countType >> type;
-    if (countType.find("float") != std::string::npos || countType == "double")
+    std::string length;
+    words >> length >> type;
+    property.List = true;
+    property.Length = ParseType(length);
+    if (property.Length.Float)
     {
-      Malformed("a list's length cannot be of type " + countType);
+      Malformed("a list's length cannot be of type " + length);
     }
-    property.CountSize = TypeSize(countType);
   }
-  property.Size = TypeSize(type);
+  property.Item = ParseType(type);
   if (!(words >> property.Name))
   {
     Malformed("a property has no name");
@@ -182,108 +187,172 @@ Header ParseHeader(std::istream& file)
   return header;
 }
 
-void CheckVertices(const Header& header)
+bool IsCorners(const Property& property)
 {
-  for (const Element& element : header.Elements)
-  {
-    int found = 0;
-    for (const Property& property : element.Properties)
-    {
-      const bool coordinate = property.Name == "x" || property.Name == "y" || property.Name == "z";
-      found += coordinate && property.CountSize == 0 ? 1 : 0;
-    }
-    if (element.Name == "vertex" && found == 3)
-    {
-      return;
-    }
-  }
-  Malformed("there are no vertices with x, y and z");
+  return property.List && (property.Name == "vertex_indices" || property.Name == "vertex_index");
 }
 
-std::int64_t ReadLength(std::istream& file, int size, bool bigEndian)
+void CheckVertexElement(const Element& element)
 {
-  unsigned char bytes[4] = {};
-  file.read(reinterpret_cast<char*>(bytes), size);
-  std::uint32_t length = 0;
-  for (int i = 0; i < size; ++i)
+  int found = 0;
+  for (const Property& property : element.Properties)
   {
-    length |= static_cast<std::uint32_t>(bytes[bigEndian ? size - 1 - i : i]) << (8 * i);
+    found += property.Name == "x" || property.Name == "y" || property.Name == "z" ? 1 : 0;
+    if (property.List)
+    {
+      Malformed("a vertex has a list");
+    }
   }
-  return length;
+  if (found != 3)
+  {
+    Malformed("a vertex needs x, y and z");
+  }
 }
 
-void CheckBinaryBody(std::istream& file, const Header& header)
+void CheckFaceElement(const Element& element)
 {
-  const std::streamoff start = file.tellg();
-  file.seekg(0, std::ios::end);
-  std::int64_t left = file.tellg() - start;
-  file.seekg(start);
-  const auto take = [&](std::int64_t bytes, const Element& element)
+  int found = 0;
+  for (const Property& property : element.Properties)
   {
-    left -= bytes;
-    if (left < 0)
-    {
-      Malformed("it ends before its " + std::to_string(element.Count) + " elements '" +
-        element.Name.substr(0, 40) + "' are complete");
-    }
-  };
+    found += IsCorners(property) && !property.Item.Float ? 1 : 0;
+  }
+  if (found != 1)
+  {
+    Malformed("a face needs one list 'vertex_indices' of integers");
+  }
+}
+
+/** Vertices, then perhaps faces, each with what VTK reads of them; others are skipped. */
+void CheckElements(const Header& header)
+{
+  int vertices = 0;
+  int faces = 0;
   for (const Element& element : header.Elements)
   {
-    if (!element.HasLists())
+    if (element.Name == "vertex")
     {
-      std::int64_t rowSize = 0;
-      for (const Property& property : element.Properties)
-      {
-        rowSize += property.Size;
-      }
-      take(element.Count * rowSize, element);
-      file.seekg(element.Count * rowSize, std::ios::cur);
-      continue;
+      CheckVertexElement(element);
+      ++vertices;
     }
-    for (std::int64_t row = 0; row < element.Count; ++row)
+    if (element.Name == "face")
     {
-      for (const Property& property : element.Properties)
+      CheckFaceElement(element);
+      ++faces;
+      if (vertices == 0)
       {
-        std::int64_t items = 1;
-        if (property.CountSize > 0)
-        {
-          take(property.CountSize, element);
-          items = ReadLength(file, property.CountSize, header.BodyFormat == Format::BigEndian);
-        }
-        take(items * property.Size, element);
-        file.ignore(items * property.Size);
+        Malformed("the faces come before the vertices");
       }
     }
   }
+  if (vertices != 1 || faces > 1)
+  {
+    Malformed("it needs one element 'vertex' and at most one 'face'");
+  }
 }
 
-void CheckAsciiBody(std::istream& file, const Header& header)
+/** The numbers of the body, one after the other; throws where they end too early. */
+class Body
 {
-  for (const Element& element : header.Elements)
+public:
+  Body(std::istream& file, Format format)
+    : File(file)
+    , BodyFormat(format)
   {
-    for (std::int64_t row = 0; row < element.Count; ++row)
+  }
+
+  /** To be called before each row of an element. */
+  void BeginRow()
+  {
+    if (this->BodyFormat == Format::Ascii)
     {
-      const std::string line = ReadLine(file, "body");
-      const char* rest = line.c_str();
-      const auto number = [&]()
+      this->Line = ReadLine(this->File, "body");
+      this->Rest = this->Line.c_str();
+    }
+  }
+
+  double ReadNumber(const Type& type)
+  {
+    return this->BodyFormat == Format::Ascii ? this->ReadText() : this->ReadBinary(type);
+  }
+
+private:
+  double ReadText()
+  {
+    char* end = nullptr;
+    const double value = std::strtod(this->Rest, &end);
+    if (end == this->Rest)
+    {
+      Malformed("a line of its body has too few numbers");
+    }
+    this->Rest = end;
+    return value;
+  }
+
+  /** Integers as they are; of floating point numbers nothing but the size is of interest. */
+  double ReadBinary(const Type& type)
+  {
+    unsigned char bytes[8] = {};
+    if (!this->File.read(reinterpret_cast<char*>(bytes), type.Size))
+    {
+      Malformed("it ends in its body");
+    }
+    std::int64_t value = 0;
+    for (int i = 0; i < type.Size && !type.Float; ++i)
+    {
+      const int source = this->BodyFormat == Format::BigEndian ? type.Size - 1 - i : i;
+      value |= static_cast<std::int64_t>(bytes[source]) << (8 * i);
+    }
+    if (type.Signed && !type.Float)
+    {
+      const std::int64_t half = std::int64_t{ 1 } << (8 * type.Size - 1);
+      value -= value >= half ? 2 * half : 0;
+    }
+    return static_cast<double>(value);
+  }
+
+  std::istream& File;
+  Format BodyFormat;
+  std::string Line;
+  const char* Rest = nullptr;
+};
+
+void CheckCorner(double id, double vertexCount, std::int64_t face)
+{
+  if (!(id >= 0 && id < vertexCount) || id != std::floor(id))
+  {
+    std::ostringstream what;
+    what.precision(17);
+    what << "face " << face << " refers to point " << id << ", but there are " << vertexCount;
+    Malformed(what.str());
+  }
+}
+
+/** Reads a row; VTK holds the number of a face's corners in one byte. */
+void CheckRow(Body& body, const Element& element, std::int64_t row, double vertexCount)
+{
+  constexpr double maximumCorners = 255;
+  const bool face = element.Name == "face";
+  double corners = -1;
+  body.BeginRow();
+  for (const Property& property : element.Properties)
+  {
+    const double length = property.List ? body.ReadNumber(property.Length) : 1;
+    const bool isCorners = face && IsCorners(property);
+    corners = isCorners ? length : corners;
+    if (length < 0 || length != std::floor(length) || (isCorners && length > maximumCorners))
+    {
+      Malformed("a list is too long or too short");
+    }
+    if (face && property.List && property.Name == "texcoord" && length != 2 * corners)
+    {
+      Malformed("the texture coordinates do not fit the corners");
+    }
+    for (double i = 0; i < length; ++i)
+    {
+      const double number = body.ReadNumber(property.Item);
+      if (isCorners)
       {
-        char* end = nullptr;
-        const double value = std::strtod(rest, &end);
-        if (end == rest)
-        {
-          Malformed("number " + std::to_string(row) + " of its elements '" +
-            element.Name.substr(0, 40) + "' is incomplete");
-        }
-        rest = end;
-        return value;
-      };
-      for (const Property& property : element.Properties)
-      {
-        const double items = property.CountSize > 0 ? number() : 1.0;
-        for (double item = 0; item < items; ++item)
-        {
-          number();
-        }
+        CheckCorner(number, vertexCount, row);
       }
     }
   }
@@ -294,13 +363,15 @@ void CheckPly(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   const Header header = ParseHeader(file);
-  CheckVertices(header);
-  if (header.BodyFormat == Format::Ascii)
+  CheckElements(header);
+  Body body(file, header.BodyFormat);
+  double vertexCount = 0;
+  for (const Element& element : header.Elements)
   {
-    CheckAsciiBody(file, header);
-  }
-  else
-  {
-    CheckBinaryBody(file, header);
+    for (std::int64_t row = 0; row < element.Count; ++row)
+    {
+      CheckRow(body, element, row, vertexCount);
+    }
+    vertexCount = element.Name == "vertex" ? static_cast<double>(element.Count) : vertexCount;
   }
 }

@@ -1,6 +1,6 @@
 /**
- * Looks through a PLY file before VTK does: vtkPLYReader 9.1 writes out of bounds when a file ends
- * early, and prints to the terminal.
+ * Looks through a PLY file before VTK does: vtkPLYReader 9.1 crashes when a file ends early or a
+ * face refers to a point that does not exist, and prints to the terminal.
  */
 #ifndef PlyCheck_h
 #define PlyCheck_h
@@ -8,8 +8,8 @@
 #include <string>
 
 /**
- * Throws Failure, saying what is wrong, unless the header is well formed, there are vertices with
- * x, y and z, and the body has as many elements as the header says. Cost: one pass over the lists.
+ * Throws Failure, saying what is wrong, unless the header is well formed and the body has all
+ * that the header announces, with valid point ids. Cost: one pass over the file.
  */
 void CheckPly(const std::string& path);
 

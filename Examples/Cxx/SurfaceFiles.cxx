@@ -1,5 +1,6 @@
 #include "SurfaceFiles.h"
 
+#include "CrashGuard.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFiles.h"
@@ -256,7 +257,10 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
     const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
     progress->SetPhase("Reading");
     reader->AddObserver(vtkCommand::ProgressEvent, progress);
-    reader->Update();
+    {
+      const CrashGuard guard(path);
+      reader->Update();
+    }
     auto* surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
     messages->ThrowIfError("VTK says");
     messages->ThrowIfWarning("Error reading", "VTK says");
