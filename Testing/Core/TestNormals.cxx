@@ -107,6 +107,21 @@ void testSmoothing()
   CHECK(estimateCornerNormals(bumpy, -1) == estimateCornerNormals(bumpy, automaticSmoothingPasses));
 }
 
+/** Equal bytes for any order of the blocks, and cancelling ends the passes. */
+void testControl()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
+  const std::vector<Point3> expected = estimateCornerNormals(mesh, 7);
+  for (const Schedule schedule : { Schedule::ShuffledBlocks, Schedule::EightThreads })
+  {
+    RunControl control;
+    control.schedule = schedule;
+    CHECK(estimateCornerNormals(mesh, 7, control) == expected);
+  }
+  const RunControl stop({}, []() { return true; });
+  CHECK(estimateCornerNormals(mesh, 10000, stop) == estimateCornerNormals(mesh, 0));
+}
+
 /** A cube split along its edges has one normal per face, and nothing flows across. */
 void testCornerSpace()
 {
@@ -220,6 +235,7 @@ int TestNormals(int, char*[])
   testExactCases();
   testConvergence();
   testSmoothing();
+  testControl();
   testCornerSpace();
   testNoDirection();
   testGiven();

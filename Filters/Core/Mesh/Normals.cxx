@@ -15,6 +15,7 @@
 
 #include "Mesh/EdgeTable.h"
 #include "Mesh/FacetGeometry.h"
+#include "Support/Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,22 +28,32 @@ namespace
 /** A sum shorter than this share of its weights has no direction but rounding error. */
 constexpr double leastLength = 1e-12;
 
-double angleBetween(const Point3& u, const Point3& v)
+/** What a facet adds to its corners. */
+struct FacetShare
 {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
+  Point3 normal;
+  std::array<double, 3> angles;
+};
 
-/** The three angles of a facet; edges are normalised first, so any scale will do. */
-std::array<double, 3> facetAngles(const SurfaceMesh& mesh, std::size_t facet)
+/** Lengths are taken in units of the facet's size, so any scale will do, and any sliver. */
+FacetShare facetShare(const SurfaceMesh& mesh, std::size_t facet)
 {
-  const Triple& points = mesh.facetPoints[facet];
-  std::array<Point3, 3> edges;
-  for (int k = 0; k < 3; ++k)
-  {
-    edges[k] = (mesh.points[points[(k + 1) % 3]] - mesh.points[points[k]]).stableNormalized();
-  }
-  return { angleBetween(edges[0], -edges[2]), angleBetween(edges[1], -edges[0]),
-    angleBetween(edges[2], -edges[1]) };
+  const auto& [i, j, k] = mesh.facetPoints[facet];
+  const Point3& a = mesh.points[i];
+  const Point3& b = mesh.points[j];
+  const Point3& c = mesh.points[k];
+  const ShortEdges edges = shortEdges(a, b, c);
+  const double size =
+    std::max(edges.first.cwiseAbs().maxCoeff(), edges.second.cwiseAbs().maxCoeff());
+  const double scale = size > 0.0 ? 1.0 / size : 0.0;
+  const Point3 cross = (scale * edges.first).cross(scale * edges.second);
+  const Point3 ab = scale * (b - a);
+  const Point3 bc = scale * (c - b);
+  const Point3 ca = scale * (a - c);
+  const double doubleArea = cross.norm(); // the sine's part at each of the three corners
+  return { doubleArea > 0.0 ? Point3(cross / doubleArea) : cross,
+    { std::atan2(doubleArea, -ab.dot(ca)), std::atan2(doubleArea, -bc.dot(ab)),
+      std::atan2(doubleArea, -ca.dot(bc)) } };
 }
 
 Point3 normalOf(const SurfaceMesh& mesh, std::size_t facet)
@@ -57,13 +68,12 @@ std::vector<Point3> angleWeightedNormals(const SurfaceMesh& mesh)
   std::vector<double> angleSums(normals.size(), 0.0);
   for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
   {
-    const Point3 normal = normalOf(mesh, f);
-    const std::array<double, 3> angles = facetAngles(mesh, f);
+    const FacetShare share = facetShare(mesh, f);
     for (int k = 0; k < 3; ++k)
     {
       const Index corner = mesh.facetCorners[f][k];
-      normals[corner] += angles[k] * normal;
-      angleSums[corner] += angles[k];
+      normals[corner] += share.angles[k] * share.normal;
+      angleSums[corner] += share.angles[k];
     }
   }
   // Backwards, so that the first facet of a corner without direction has the last word.
@@ -134,22 +144,20 @@ CornerRings buildRings(const SurfaceMesh& mesh)
   return rings;
 }
 
-void smoothOnce(
-  const CornerRings& rings, const std::vector<Point3>& normals, std::vector<Point3>& smoothed)
+/** The mean of a corner's normal and those around it; its own where they cancel out. */
+Point3 smoothedNormal(
+  const CornerRings& rings, const std::vector<Point3>& normals, std::size_t corner)
 {
-  for (std::size_t corner = 0; corner < normals.size(); ++corner)
+  Point3 sum = normals[corner];
+  const Offset begin = rings.begins[corner];
+  const Offset end = rings.begins[corner + 1];
+  for (Offset i = begin; i < end; ++i)
   {
-    Point3 sum = normals[corner];
-    const Offset begin = rings.begins[corner];
-    const Offset end = rings.begins[corner + 1];
-    for (Offset i = begin; i < end; ++i)
-    {
-      sum += normals[rings.neighbours[i]];
-    }
-    const double length = sum.norm();
-    const bool hasDirection = length > leastLength * static_cast<double>(end - begin + 1);
-    smoothed[corner] = hasDirection ? Point3(sum / length) : normals[corner];
+    sum += normals[rings.neighbours[i]];
   }
+  const double length = sum.norm();
+  const bool hasDirection = length > leastLength * static_cast<double>(end - begin + 1);
+  return hasDirection ? Point3(sum / length) : normals[corner];
 }
 
 /** The caller's points at each corner, once per facet that uses them there. */
@@ -230,7 +238,8 @@ Status checkInputNormals(const SurfaceMesh& mesh, const std::vector<Point3>& inp
 }
 }
 
-std::vector<Point3> estimateCornerNormals(const SurfaceMesh& mesh, int passes)
+std::vector<Point3> estimateCornerNormals(
+  const SurfaceMesh& mesh, int passes, const RunControl& control)
 {
   const int count = passes < 0 ? automaticSmoothingPasses : passes;
   std::vector<Point3> normals = angleWeightedNormals(mesh);
@@ -239,10 +248,22 @@ std::vector<Point3> estimateCornerNormals(const SurfaceMesh& mesh, int passes)
     return normals;
   }
   const CornerRings rings = buildRings(mesh);
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(normals.size()), 128, 1 << 15);
   std::vector<Point3> smoothed(normals.size());
   for (int pass = 0; pass < count; ++pass)
   {
-    smoothOnce(rings, normals, smoothed);
+    const bool done = forEachRange(blocks, control.step(pass, count),
+      [&](Offset begin, Offset end)
+      {
+        for (Offset corner = begin; corner < end; ++corner)
+        {
+          smoothed[corner] = smoothedNormal(rings, normals, corner);
+        }
+      });
+    if (!done)
+    {
+      break;
+    }
     normals.swap(smoothed);
   }
   return normals;

@@ -6,6 +6,7 @@
 #define remesh_Normals_h
 
 #include "Mesh/SurfaceMesh.h"
+#include "Support/RunControl.h"
 #include "Support/Status.h"
 
 namespace remesh
@@ -16,12 +17,14 @@ constexpr int automaticSmoothingPasses = 3;
 /**
  * Angle-weighted means of the facet normals, smoothed by uniform 1-ring averaging.
  *
- * @param passes smoothing passes; negative: `automaticSmoothingPasses`.
+ * @param passes smoothing passes; negative: `automaticSmoothingPasses`. Parallel.
+ * @param control reports the passes; when it cancels, the passes done so far are returned.
  * @return C unit vectors; a corner without direction (facets that cancel out) gets the normal of
  *         its first facet.
  * Cost: O(F) per pass. Deterministic.
  */
-std::vector<Point3> estimateCornerNormals(const SurfaceMesh& mesh, int passes);
+std::vector<Point3> estimateCornerNormals(
+  const SurfaceMesh& mesh, int passes, const RunControl& control = RunControl());
 
 /**
  * The caller's normals: at each corner the normalised mean of the distinct input points merged
