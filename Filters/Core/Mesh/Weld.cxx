@@ -179,8 +179,8 @@ struct CellJoiner
   }
 };
 
-constexpr std::int64_t reach = 2; ///< cells further apart than this hold no near pair
-constexpr std::size_t cancellationStride = 4096; ///< cells between two questions
+constexpr std::int64_t reach = 2;              ///< cells further apart than this hold no near pair
+constexpr std::size_t cancellationStride = 64; ///< cells between two questions
 
 /** Joins each cell with those at (dx, dy, firstDz .. reach) from it. False if cancelled. */
 bool joinRow(CellJoiner& joiner, const GridCell& firstOffset, const RunControl& control)
