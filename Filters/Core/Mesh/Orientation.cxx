@@ -36,9 +36,10 @@ public:
     m_shell.assign(1, first);
     m_visited[first] = 1;
     bool consistent = true;
-    for (std::size_t i = 0; i < m_shell.size(); ++i)
+    std::size_t next = 0;
+    while (next < m_shell.size()) // which grows
     {
-      const Index facet = m_shell[i];
+      const Index facet = m_shell[next++];
       for (int k = 0; k < 3; ++k)
       {
         consistent &= this->cross(facet, k);
