@@ -23,7 +23,7 @@ COLUMNS = {"Iteration", "Energy", "GradientNorm", "StepLength", "Time"}
 
 
 def fetch(source, port=0):
-    return servermanager.Fetch(OutputPort(source, port))
+    return servermanager.Fetch(source, idx=port)
 
 
 def names(attributes):
@@ -98,7 +98,7 @@ assert list(remesher.Normals) == ["POINTS", "Normals"], list(remesher.Normals)
 assert remesher.EmbeddingArray == "None", remesher.EmbeddingArray
 
 # No normals, other parameters; the same again is the same.
-remesher.Normals = ["POINTS", "(None)"]
+remesher.Normals = ["POINTS", "None"]
 remesher.SamplingMethod = "Random"
 remesher.Seed = 7
 remesher.SMPBackend = "Sequential"
@@ -132,7 +132,7 @@ bare = Calculator(Input=ExtractSurface(Input=Wavelet()), ResultArrayName="Displa
                   Function="coords")
 bare.UpdatePipeline()
 without = AnisotropicRemesher(Input=bare)
-assert list(without.Normals) == ["POINTS", "(None)"], list(without.Normals)
+assert list(without.Normals) == ["POINTS", "None"], list(without.Normals)
 assert without.EmbeddingArray == "None", without.EmbeddingArray
 
 # --- The embedding, used again by the remesher and as sites of the diagram -----------------------
