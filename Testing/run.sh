@@ -31,7 +31,8 @@ build_and_test()
   fi
   report=$root/$2/ctest.xml
   rm -f "$report"
-  xvfb-run -a -s "-screen 0 1280x1024x24" \
+  # Without -noreset, a client that comes as the last one leaves finds no server.
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
     ctest --test-dir "$2" --output-on-failure --parallel "$jobs" --output-junit "$report"
   status=$?
   # <testsuite ... tests="T" failures="F" disabled="D" skipped="S" ...>
