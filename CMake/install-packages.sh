@@ -15,7 +15,7 @@ for build; do
   case $build in
     vtk) wanted="$wanted $vtk" ;;
     paraview) wanted="$wanted $paraview" ;;
-    *) sed -n '2s/^# //p' "$0" >&2; exit 2 ;;
+    *) sed -n "2,4s/^# //p" "$0" >&2; exit 2 ;;
   esac
 done
 

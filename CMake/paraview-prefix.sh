@@ -7,7 +7,7 @@
 # Needs the packages paraview and paraview-dev, and the network for apt-get download. Does nothing
 # if DIR already holds the installed version.
 set -e
-[ $# -eq 1 ] || { sed -n '2s/^# //p' "$0" >&2; exit 2; }
+[ $# -eq 1 ] || { sed -n "2,4s/^# //p" "$0" >&2; exit 2; }
 arch=$(dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch)
 version=$(dpkg-query -W -f='${Version}' paraview-dev)
 mkdir -p "$1"
@@ -16,7 +16,6 @@ dest=$(cd "$1" && pwd)
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-chmod 755 "$work" # apt's own user writes here
 (cd "$work" && apt-get download -q "python3-paraview=$version" && dpkg -x python3-paraview_*.deb tree)
 rm -rf "$dest/lib" "$dest/bin" "$dest/include"
 mkdir -p "$dest/lib/$arch/cmake" "$dest/include" "$dest/bin"
