@@ -49,6 +49,10 @@ int vtkAnisotropicRemesher::RequestData(
                                                     : remesh::SamplingMethod::Stratified;
   options.seed = static_cast<std::uint64_t>(this->Seed);
   options.lloydIterations = this->NumberOfLloydIterations;
+  options.quasiNewton.iterations = this->NumberOfNewtonIterations;
+  options.quasiNewton.historyLength = this->HistoryLength;
+  options.quasiNewton.gradientTolerance = this->GradientTolerance;
+  options.quasiNewton.energyTolerance = this->EnergyTolerance;
   return this->ComputeDiagram(inputVector, outputVector, options, initialSites, this->Seed);
 }
 
@@ -59,4 +63,8 @@ void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplingMethod: " << this->SamplingMethod << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfLloydIterations: " << this->NumberOfLloydIterations << "\n";
+  os << indent << "NumberOfNewtonIterations: " << this->NumberOfNewtonIterations << "\n";
+  os << indent << "HistoryLength: " << this->HistoryLength << "\n";
+  os << indent << "GradientTolerance: " << this->GradientTolerance << "\n";
+  os << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n";
 }

@@ -3,8 +3,9 @@
  * @brief   Remeshes a surface with a given number of points, adapted to its curvature.
  *
  * The surface is embedded in R^d (see vtkEmbeddedSurfaceAlgorithm), sampled with
- * `NumberOfPoints` sites, and the sites are moved by Lloyd's iterations towards a centroidal
- * Voronoi tessellation restricted to it ([Levy12], Algorithms 2 to 4). The dual of the restricted
+ * `NumberOfPoints` sites, and the sites are moved by Lloyd's iterations and then by a quasi-Newton
+ * method (L-BFGS) towards a centroidal Voronoi tessellation restricted to it ([Levy12],
+ * Algorithms 2 to 4 and section 4.2). The dual of the restricted
  * Voronoi diagram is the new mesh: isotropic in R^d, and so in R^3 long along flat directions and
  * dense where the surface bends.
  *
@@ -63,9 +64,42 @@ public:
   ///@}
 
   ///@{
-  /** Lloyd's iterations ([Levy12], Algorithm 3), 0 to 100000, default 50. */
+  /** Lloyd's iterations ([Levy12], Algorithm 3), 0 to 100000, default 5. */
   vtkSetClampMacro(NumberOfLloydIterations, int, 0, 100000);
   vtkGetMacro(NumberOfLloydIterations, int);
+  ///@}
+
+  ///@{
+  /** Quasi-Newton (L-BFGS) iterations after those, 0 to 100000, default 30. */
+  vtkSetClampMacro(NumberOfNewtonIterations, int, 0, 100000);
+  vtkGetMacro(NumberOfNewtonIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Pairs of vectors that the quasi-Newton method keeps, 1 to 100, default 7: each takes 8 bytes
+   * per site and dimension.
+   */
+  vtkSetClampMacro(HistoryLength, int, 1, 100);
+  vtkGetMacro(HistoryLength, int);
+  ///@}
+
+  ///@{
+  /**
+   * The quasi-Newton iterations end where the norm of the energy's gradient is at most this
+   * fraction of that of the initial sampling, 0 to 1, default 0 (never).
+   */
+  vtkSetClampMacro(GradientTolerance, double, 0.0, 1.0);
+  vtkGetMacro(GradientTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The quasi-Newton iterations end where one lowers the energy by at most this fraction of it,
+   * 0 to 1, default 0 (only where the energy cannot be lowered any more).
+   */
+  vtkSetClampMacro(EnergyTolerance, double, 0.0, 1.0);
+  vtkGetMacro(EnergyTolerance, double);
   ///@}
 
   ///@{
@@ -88,7 +122,11 @@ private:
   vtkIdType NumberOfPoints = 10000;
   int SamplingMethod = STRATIFIED;
   int Seed = 0;
-  int NumberOfLloydIterations = 50;
+  int NumberOfLloydIterations = 5;
+  int NumberOfNewtonIterations = 30;
+  int HistoryLength = 7;
+  double GradientTolerance = 0.0;
+  double EnergyTolerance = 0.0;
 };
 
 #endif

@@ -162,6 +162,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   facts.Energy = result.sums.totalEnergy * source.energyUnit();
   facts.Seconds["sampling"] = result.seconds.sampling;
   facts.Seconds["lloyd"] = result.seconds.lloyd;
+  facts.Seconds["newton"] = result.seconds.newton;
   facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
   this->UpdateProgress(1.0);
   return 1;

@@ -89,7 +89,7 @@ public:
 
   /**
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
-   * "sampling", "lloyd", "diagram" (diagram, dual and output arrays). 0 for other names.
+   * "sampling", "lloyd", "newton", "diagram" (diagram, dual and output arrays). 0 for other names.
    */
   double GetPhaseSeconds(const char* phase) const;
 

@@ -158,8 +158,10 @@ std::vector<Option> MakeTable()
       "How much the normals count, as a fraction of the bounding-box diagonal, 0 to 1. "
       "Default 0.04; usual are 0.02 to 0.1; 0 is isotropic.",
       Number("--anisotropy", &Options::Anisotropy, 0.0, 1.0) },
-    { "--lloyd", "K", "Lloyd iterations, 0 to 100000. Default 50.",
+    { "--lloyd", "K", "Lloyd iterations, 0 to 100000. Default 5.",
       Integer("--lloyd", &Options::LloydIterations, 0, 100000) },
+    { "--newton", "K", "Quasi-Newton iterations after them, 0 to 100000. Default 30.",
+      Integer("--newton", &Options::NewtonIterations, 0, 100000) },
     { "--seed", "I", "Seed of the random numbers. Default 0.",
       Integer("--seed", &Options::Seed, Limits::min(), Limits::max()) },
     { "--threads", "T", "Threads, 0 to 1024. Default 0: all. The result does not depend on it.",

@@ -23,7 +23,8 @@ struct Options
 
   long long NumberOfPoints = 10000;
   double Anisotropy = 0.04; // fraction of the bounding-box diagonal
-  int LloydIterations = 50;
+  int LloydIterations = 5;
+  int NewtonIterations = 30;
   int Seed = 0;
   int Threads = 0; // 0: as many as the back-end offers
   std::string Backend = "automatic";

@@ -30,6 +30,7 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.Add("points", options.NumberOfPoints);
   json.Add("anisotropy", options.Anisotropy);
   json.Add("lloyd", options.LloydIterations);
+  json.Add("newton", options.NewtonIterations);
   json.Add("seed", options.Seed);
   json.Add("sampling", options.Sampling);
   json.Add("threads", options.Threads);
@@ -69,7 +70,7 @@ void AddSeconds(JsonWriter& json, vtkAnisotropicRemesher* remesher, const Second
 {
   json.BeginObject("seconds");
   json.Add("read", seconds.Read);
-  for (const char* phase : { "intake", "sampling", "lloyd", "diagram" })
+  for (const char* phase : { "intake", "sampling", "lloyd", "newton", "diagram" })
   {
     json.Add(phase, remesher->GetPhaseSeconds(phase));
   }

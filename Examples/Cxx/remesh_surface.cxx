@@ -184,6 +184,7 @@ void Remesh(Run& run)
   vtkAnisotropicRemesher* remesher = run.Remesher;
   remesher->SetNumberOfPoints(options.NumberOfPoints);
   remesher->SetNumberOfLloydIterations(options.LloydIterations);
+  remesher->SetNumberOfNewtonIterations(options.NewtonIterations);
   remesher->SetSeed(options.Seed);
   remesher->SetSamplingMethod(options.Sampling == "random" ? vtkAnisotropicRemesher::RANDOM
                                                            : vtkAnisotropicRemesher::STRATIFIED);

@@ -36,8 +36,8 @@ Status takeIn(vtkPolyData* input, double mergeTolerance, const RunControl& contr
   return buildSurfaceMesh(soup, options, control, prepared.mesh, prepared.intake);
 }
 
-Status findNormals(
-  vtkPolyData* input, const PreparationRequest& request, PreparedSurface& prepared)
+Status findNormals(vtkPolyData* input, const PreparationRequest& request,
+  const RunControl& control, PreparedSurface& prepared)
 {
   if (request.normals)
   {
@@ -53,7 +53,8 @@ Status findNormals(
     }
     prepared.warnings.push_back(status.message + " The normals are estimated instead.");
   }
-  prepared.normals = estimateCornerNormals(prepared.mesh, request.normalSmoothingPasses);
+  prepared.normals =
+    estimateCornerNormals(prepared.mesh, request.normalSmoothingPasses, control);
   return Status::success();
 }
 
@@ -103,7 +104,7 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
       "The surface is not orientable: the mesh cannot be oriented consistently.");
   }
   progress.enterPhase("Embedding", 0.7, 1.0);
-  if (Status status = findNormals(input, request, prepared); !status.ok())
+  if (Status status = findNormals(input, request, progress.step(0, 2), prepared); !status.ok())
   {
     return status;
   }
@@ -111,6 +112,7 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   {
     return status;
   }
-  return embedSurface(prepared.mesh, prepared.coordinates, progress, prepared.surface);
+  return embedSurface(
+    prepared.mesh, prepared.coordinates, progress.step(1, 2), prepared.surface);
 }
 }

@@ -35,6 +35,32 @@ Status makeSites(const EmbeddedSurface& surface, const RemeshOptions& options, S
   return sampleSurface(surface, options.numberOfSites, options.sampling, options.seed, sites);
 }
 
+/** Lloyd's iterations as an opening, then quasi-Newton ones. */
+Status optimize(const EmbeddedSurface& surface, const RemeshOptions& options, RunControl control,
+  RestrictedVoronoi& voronoi, RemeshResult& result)
+{
+  Stopwatch watch;
+  const double steps = options.lloydIterations + 1 + options.quasiNewton.iterations;
+  const double lloydEnds = 0.02 + 0.83 * (options.lloydIterations + 1) / steps;
+  control.enterPhase("Lloyd iterations", 0.02, lloydEnds);
+  if (Status status = relaxLloyd(voronoi, surface, options.lloydIterations, options.seed, control,
+        result.sites, result.sums, result.convergence, result.emptyCells);
+      !status.ok())
+  {
+    return status;
+  }
+  result.seconds.lloyd = watch.lap();
+  control.enterPhase("Quasi-Newton iterations", lloydEnds, 0.85);
+  if (Status status = minimizeQuasiNewton(voronoi, surface, options.quasiNewton, options.seed,
+        control, result.sites, result.sums, result.convergence, result.emptyCells);
+      !status.ok())
+  {
+    return status;
+  }
+  result.seconds.newton = watch.lap();
+  return Status::success();
+}
+
 /** The dual of the diagram and all that hangs on it. */
 Status dualize(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const std::vector<Index>& owners, const RunControl& control, RemeshResult& result)
@@ -75,15 +101,12 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
 
   if (options.optimize)
   {
-    control.enterPhase("Lloyd iterations", 0.02, 0.85);
-    if (Status status = relaxLloyd(voronoi, surface, options.lloydIterations, options.seed,
-          control, result.sites, result.sums, result.convergence, result.emptyCells);
-        !status.ok())
+    if (Status status = optimize(surface, options, control, voronoi, result); !status.ok())
     {
       return status;
     }
-    result.seconds.lloyd = watch.lap();
   }
+  watch.lap();
 
   control.enterPhase("Restricted Voronoi diagram", 0.85, 0.95);
   if (Status status = voronoi.decompose(result.sites, control, result.sums, result.diagram);

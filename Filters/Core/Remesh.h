@@ -2,7 +2,7 @@
  * @file Remesh.h
  * @brief The whole pipeline on one page.
  *
- * surface -> sites -> Lloyd -> restricted Voronoi diagram -> components -> dual
+ * surface -> sites -> Lloyd -> quasi-Newton -> restricted Voronoi diagram -> components -> dual
  */
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h
@@ -12,6 +12,7 @@
 #include "Delaunay/SurfaceLocation.h"
 #include "Embedding/EmbeddedSurface.h"
 #include "Optimization/Convergence.h"
+#include "Optimization/QuasiNewton.h"
 #include "Optimization/Sampling.h"
 #include "Voronoi/CellSums.h"
 #include "Voronoi/Diagram.h"
@@ -23,7 +24,8 @@ struct RemeshOptions
   Offset numberOfSites = 10000;
   SamplingMethod sampling = SamplingMethod::Stratified;
   std::uint64_t seed = 0;
-  int lloydIterations = 50;
+  int lloydIterations = 5;
+  QuasiNewtonOptions quasiNewton;
   /** False: the given sites are final, whatever their cells. */
   bool optimize = true;
   /** Sites to start from instead of sampling; n x d, scaled units of the surface. */
@@ -49,6 +51,7 @@ struct RemeshResult
   {
     double sampling = 0.0;
     double lloyd = 0.0;
+    double newton = 0.0;
     double diagram = 0.0;
   } seconds; ///< wall time of the phases
 };

@@ -1,5 +1,6 @@
 #include "Delaunay/Components.h"
 
+#include "Support/DisjointSets.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -9,39 +10,8 @@ namespace remesh
 {
 namespace
 {
-/** Disjoint sets of pieces; the representative is the lowest piece. */
-class PieceSets
-{
-public:
-  explicit PieceSets(Offset count)
-    : m_parents(static_cast<std::size_t>(count))
-  {
-    std::iota(m_parents.begin(), m_parents.end(), Offset{ 0 });
-  }
-
-  Offset find(Offset piece)
-  {
-    while (m_parents[piece] != piece)
-    {
-      m_parents[piece] = m_parents[m_parents[piece]];
-      piece = m_parents[piece];
-    }
-    return piece;
-  }
-
-  void join(Offset a, Offset b)
-  {
-    a = this->find(a);
-    b = this->find(b);
-    m_parents[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<Offset> m_parents;
-};
-
 /** Joins the pieces of each cell that share a segment of a facet's edge. */
-void joinAcrossEdges(const EdgeTable& edges, const Diagram& diagram, PieceSets& sets)
+void joinAcrossEdges(const EdgeTable& edges, const Diagram& diagram, DisjointSets& sets)
 {
   for (Offset piece = 0; piece < diagram.numberOfPieces(); ++piece)
   {
@@ -59,7 +29,7 @@ void joinAcrossEdges(const EdgeTable& edges, const Diagram& diagram, PieceSets& 
       {
         if (const Offset other = diagram.pieceOf(first, diagram.sites[piece]); other >= 0)
         {
-          sets.join(piece, other);
+          sets.unite(static_cast<Index>(piece), static_cast<Index>(other));
         }
       }
     }
@@ -68,7 +38,7 @@ void joinAcrossEdges(const EdgeTable& edges, const Diagram& diagram, PieceSets& 
 
 /** Joins the pieces around each corner: all belong to the cell that owns it. */
 void joinAroundCorners(const EmbeddedSurface& surface, const Diagram& diagram,
-  const std::vector<Index>& owners, PieceSets& sets)
+  const std::vector<Index>& owners, DisjointSets& sets)
 {
   std::vector<Offset> firstPiece(owners.size(), -1);
   for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
@@ -82,20 +52,20 @@ void joinAroundCorners(const EmbeddedSurface& surface, const Diagram& diagram,
       }
       else if (piece >= 0)
       {
-        sets.join(firstPiece[corner], piece);
+        sets.unite(static_cast<Index>(firstPiece[corner]), static_cast<Index>(piece));
       }
     }
   }
 }
 
 /** Numbers the sets by site and first piece, and lists the pieces of each. */
-void numberComponents(const Diagram& diagram, PieceSets& sets, Components& components)
+void numberComponents(const Diagram& diagram, DisjointSets& sets, Components& components)
 {
   const Offset count = diagram.numberOfPieces();
   std::vector<Offset> roots;
   for (Offset piece = 0; piece < count; ++piece)
   {
-    if (sets.find(piece) == piece)
+    if (sets.find(static_cast<Index>(piece)) == piece)
     {
       roots.push_back(piece);
     }
@@ -114,7 +84,7 @@ void numberComponents(const Diagram& diagram, PieceSets& sets, Components& compo
   components.pieceBegin.assign(roots.size() + 1, 0);
   for (Offset piece = 0; piece < count; ++piece)
   {
-    components.ofPiece[piece] = components.ofPiece[sets.find(piece)];
+    components.ofPiece[piece] = components.ofPiece[sets.find(static_cast<Index>(piece))];
     ++components.pieceBegin[static_cast<std::size_t>(components.ofPiece[piece]) + 1];
   }
   std::partial_sum(
@@ -164,7 +134,7 @@ Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const RunControl& control, Components& components)
 {
   components = Components{};
-  PieceSets sets(diagram.numberOfPieces());
+  DisjointSets sets(diagram.sites.size());
   joinAcrossEdges(edges, diagram, sets);
   joinAroundCorners(surface, diagram, owners, sets);
   numberComponents(diagram, sets, components);

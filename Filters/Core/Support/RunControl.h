@@ -68,6 +68,14 @@ public:
     return inner;
   }
 
+  /** A control that can be cancelled but reports nothing: for loops that are too short to tell. */
+  RunControl silent() const
+  {
+    RunControl inner = *this;
+    inner.m_report = nullptr;
+    return inner;
+  }
+
   /** Reports a fraction (0 to 1) of the current phase; only the calling thread may do so. */
   void report(double fraction) const
   {

@@ -5,6 +5,9 @@
 #include "Voronoi/FacetDecomposition.h"
 #include "Voronoi/Ownership.h"
 
+#include <algorithm>
+#include <string>
+
 namespace remesh
 {
 namespace
@@ -34,7 +37,7 @@ struct BlockPieces
 };
 
 /** Strings the blocks together; what a block held is freed on the way. */
-void joinBlocks(std::vector<BlockPieces>& blocks, Index numberOfFacets, Diagram& diagram)
+Status joinBlocks(std::vector<BlockPieces>& blocks, Index numberOfFacets, Diagram& diagram)
 {
   diagram = Diagram{};
   diagram.facetBegin.assign(static_cast<std::size_t>(numberOfFacets) + 1, 0);
@@ -45,6 +48,11 @@ void joinBlocks(std::vector<BlockPieces>& blocks, Index numberOfFacets, Diagram&
   {
     pieces += block.sites.size();
     vertices += block.vertices.size();
+  }
+  if (pieces > static_cast<std::size_t>(maximumIndex))
+  {
+    return Status::invalid("The diagram has " + std::to_string(pieces) +
+      " pieces, more than the " + std::to_string(maximumIndex) + " that can be held.");
   }
   diagram.sites.reserve(pieces);
   diagram.facets.reserve(pieces);
@@ -73,6 +81,7 @@ void joinBlocks(std::vector<BlockPieces>& blocks, Index numberOfFacets, Diagram&
   {
     diagram.facetBegin[f] += diagram.facetBegin[f - 1];
   }
+  return Status::success();
 }
 
 /** One thread's tools for a block. */
@@ -168,7 +177,11 @@ Status RestrictedVoronoi::evaluate(
   }
   if (diagram)
   {
-    joinBlocks(blockPieces, m_surface.numberOfFacets(), *diagram);
+    if (Status status = joinBlocks(blockPieces, m_surface.numberOfFacets(), *diagram);
+        !status.ok())
+    {
+      return status;
+    }
   }
   return reduceBlocks(
     blockSums, sites.count(), m_surface.dimension, control.step(3, 4), sums);

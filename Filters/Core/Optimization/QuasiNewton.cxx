@@ -1,0 +1,238 @@
+#include "Optimization/QuasiNewton.h"
+
+#include "Optimization/BlockedVectors.h"
+#include "Optimization/EmptyCells.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace remesh
+{
+namespace
+{
+constexpr double sufficientDecrease = 1e-4; // Armijo's constant
+constexpr int mostTrials = 12;
+
+/** One pair of the history. */
+struct Correction
+{
+  std::vector<float> step;
+  std::vector<float> change; ///< of the gradient
+  double product = 0.0;      ///< step . change > 0
+};
+
+/** The limited-memory approximation of the inverse Hessian. */
+class InverseHessian
+{
+public:
+  InverseHessian(int length, const BlockedVectors& vectors)
+    : m_length(static_cast<std::size_t>(std::max(length, 0)))
+    , m_vectors(vectors)
+  {
+  }
+
+  void clear() { m_history.clear(); }
+
+  /** Takes in a step t p and the gradient's change from -2 before to -2 after. */
+  void update(const std::vector<double>& direction, double length,
+    const std::vector<double>& momentBefore, const std::vector<double>& momentAfter)
+  {
+    if (m_length == 0)
+    {
+      return;
+    }
+    Correction pair;
+    if (m_history.size() == m_length)
+    {
+      pair = std::move(m_history.front()); // for its memory
+      m_history.pop_front();
+    }
+    pair.step.resize(direction.size());
+    pair.change.resize(direction.size());
+    m_vectors.forEach(
+      [&](std::size_t k)
+      {
+        pair.step[k] = static_cast<float>(length * direction[k]);
+        pair.change[k] = static_cast<float>(2.0 * (momentBefore[k] - momentAfter[k]));
+      });
+    pair.product = m_vectors.sum([&](std::size_t k)
+      { return static_cast<double>(pair.step[k]) * static_cast<double>(pair.change[k]); });
+    if (pair.product > 0.0)
+    {
+      m_history.push_back(std::move(pair));
+    }
+  }
+
+  /** Direction -H g with g = -2 moment and the initial H = gamma diag(1 / (2 m_i)). */
+  void descend(const CellSums& sums, int dimension, std::vector<double>& direction) const
+  {
+    direction.resize(sums.moment.size());
+    m_vectors.forEach([&](std::size_t k) { direction[k] = 2.0 * sums.moment[k]; });
+    std::vector<double> factors(m_history.size());
+    for (std::size_t h = m_history.size(); h-- > 0;)
+    {
+      const Correction& pair = m_history[h];
+      factors[h] =
+        m_vectors.sum([&](std::size_t k) { return pair.step[k] * direction[k]; }) / pair.product;
+      m_vectors.forEach([&](std::size_t k) { direction[k] -= factors[h] * pair.change[k]; });
+    }
+    const auto d = static_cast<std::size_t>(dimension);
+    const double gamma = this->curvatureScale(sums, d);
+    m_vectors.forEach(
+      [&](std::size_t k)
+      {
+        const double mass = sums.mass[k / d];
+        direction[k] = mass > 0.0 ? gamma * direction[k] / (2.0 * mass) : 0.0;
+      });
+    for (std::size_t h = 0; h < m_history.size(); ++h)
+    {
+      const Correction& pair = m_history[h];
+      const double factor = factors[h] -
+        m_vectors.sum([&](std::size_t k) { return pair.change[k] * direction[k]; }) / pair.product;
+      m_vectors.forEach([&](std::size_t k) { direction[k] += factor * pair.step[k]; });
+    }
+  }
+
+private:
+  /**
+   * The factor that makes the initial Hessian fit the last step's curvature, at least Lloyd's:
+   * diag(2 m_i) bounds the Hessian from above.
+   */
+  double curvatureScale(const CellSums& sums, std::size_t dimension) const
+  {
+    if (m_history.empty())
+    {
+      return 1.0;
+    }
+    const Correction& last = m_history.back();
+    const double scaled = m_vectors.sum(
+      [&](std::size_t k)
+      {
+        const double change = last.change[k];
+        const double mass = sums.mass[k / dimension];
+        return mass > 0.0 ? change * change / (2.0 * mass) : 0.0;
+      });
+    return scaled > 0.0 ? std::max(1.0, last.product / scaled) : 1.0;
+  }
+
+  std::size_t m_length;
+  const BlockedVectors& m_vectors;
+  std::deque<Correction> m_history; ///< oldest first
+};
+
+/** Where the line search is, and what it found there. */
+struct Trial
+{
+  Sites sites;
+  CellSums sums;
+  double length = 1.0;
+  bool accepted = false;
+};
+
+/** The minimum of the parabola through the energy, its slope and the trial's energy. */
+double shorterLength(double length, double slope, double rise)
+{
+  const double best = -0.5 * slope * length * length / (rise - slope * length);
+  return std::clamp(best, 0.1 * length, 0.5 * length);
+}
+
+bool anyEmpty(const CellSums& sums)
+{
+  return std::any_of(
+    sums.mass.begin(), sums.mass.end(), [](double mass) { return !(mass > 0.0); });
+}
+
+/** g . p, with g = -2 moment. */
+double slopeAlong(
+  const CellSums& sums, const std::vector<double>& direction, const BlockedVectors& vectors)
+{
+  return vectors.sum([&](std::size_t k) { return -2.0 * sums.moment[k] * direction[k]; });
+}
+
+/** Backtracks from the unit step until the energy has fallen enough. */
+Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& sums,
+  const std::vector<double>& direction, const BlockedVectors& vectors, const RunControl& control,
+  Trial& trial)
+{
+  const double slope = slopeAlong(sums, direction, vectors);
+  trial.sites.dimension = sites.dimension;
+  trial.sites.coordinates.resize(sites.coordinates.size());
+  trial.length = 1.0;
+  trial.accepted = false;
+  for (int k = 0; k < mostTrials; ++k)
+  {
+    vectors.forEach(
+      [&](std::size_t c)
+      { trial.sites.coordinates[c] = sites.coordinates[c] + trial.length * direction[c]; });
+    if (!vectors.complete())
+    {
+      return Status::cancelled();
+    }
+    if (Status status = voronoi.integrate(trial.sites, k == 0 ? control : control.silent(),
+          trial.sums);
+        !status.ok())
+    {
+      return status;
+    }
+    const double rise = trial.sums.totalEnergy - sums.totalEnergy;
+    if (rise <= sufficientDecrease * trial.length * slope)
+    {
+      trial.accepted = true;
+      break;
+    }
+    trial.length = shorterLength(trial.length, slope, rise);
+  }
+  return Status::success();
+}
+}
+
+Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface,
+  const QuasiNewtonOptions& options, std::uint64_t seed, const RunControl& control, Sites& sites,
+  CellSums& sums, Convergence& convergence, Index& emptyCells)
+{
+  const BlockedVectors vectors(sites.coordinates.size(), control);
+  InverseHessian hessian(options.historyLength, vectors);
+  const double gradientBound = options.gradientTolerance * convergence.rows.front().gradientNorm;
+  std::vector<double> direction;
+  Trial trial;
+  for (int step = 0; step < options.iterations && sums.gradientNorm > gradientBound; ++step)
+  {
+    hessian.descend(sums, sites.dimension, direction);
+    if (!(slopeAlong(sums, direction, vectors) < 0.0))
+    {
+      hessian.clear(); // the history misleads: Lloyd's direction always descends
+      hessian.descend(sums, sites.dimension, direction);
+    }
+    if (Status status = search(voronoi, sites, sums, direction, vectors,
+          control.step(step, options.iterations), trial);
+        !status.ok())
+    {
+      return status;
+    }
+    if (!trial.accepted)
+    {
+      break; // rounding is all that is left to gain
+    }
+    hessian.update(direction, trial.length, sums.moment, trial.sums.moment);
+    if (anyEmpty(trial.sums))
+    {
+      hessian.clear();
+      if (Status status = integrateAndFill(
+            voronoi, surface, seed, control.silent(), trial.sites, trial.sums, emptyCells);
+          !status.ok())
+      {
+        return status;
+      }
+    }
+    const double decrease = sums.totalEnergy - trial.sums.totalEnergy;
+    std::swap(sites, trial.sites);
+    std::swap(sums, trial.sums);
+    convergence.add(sums.totalEnergy, sums.gradientNorm, trial.length);
+    if (decrease <= options.energyTolerance * sums.totalEnergy)
+    {
+      break;
+    }
+  }
+  return Status::success();
+}
+}
