@@ -2,6 +2,8 @@
 
 #include "Failure.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -68,7 +70,9 @@ std::size_t OutputFiles::Add(const std::string& path)
   File file;
   file.Name = path;
   file.Final = ResolveTarget(path).string();
-  file.Temporary = file.Final + ".partial-" + std::to_string(getpid());
+  // With its extension, which vtkPLYWriter would append.
+  file.Temporary =
+    file.Final + ".partial-" + std::to_string(getpid()) + LowerCaseExtension(file.Final);
   for (const File& other : this->Files)
   {
     if (other.Final == file.Final)
@@ -111,6 +115,14 @@ void OutputFiles::Commit()
     }
   }
   this->Committed = true;
+}
+
+std::string LowerCaseExtension(const std::string& path)
+{
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 void WriteBytes(const std::string& path, const std::string& bytes)

@@ -42,6 +42,9 @@ private:
   bool Committed = false;
 };
 
+/** The extension with its dot, ".ply" for "Part.PLY". */
+std::string LowerCaseExtension(const std::string& path);
+
 /** Writes the bytes and makes sure that they fit. Throws Failure. */
 void WriteBytes(const std::string& path, const std::string& bytes);
 

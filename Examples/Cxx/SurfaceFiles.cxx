@@ -24,7 +24,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -35,17 +34,9 @@ namespace fs = std::filesystem;
 
 namespace
 {
-std::string Extension(const std::string& path)
-{
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 void CheckExtension(const std::string& path, const std::vector<std::string>& known)
 {
-  if (std::find(known.begin(), known.end(), Extension(path)) == known.end())
+  if (std::find(known.begin(), known.end(), LowerCaseExtension(path)) == known.end())
   {
     std::string sentence = "the name '" + path + "' must end in";
     for (const std::string& extension : known)
@@ -106,7 +97,7 @@ void CheckStl(const std::string& path)
 
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
 {
-  const std::string extension = Extension(path);
+  const std::string extension = LowerCaseExtension(path);
   if (extension == ".vtp")
   {
     auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
@@ -197,15 +188,22 @@ std::string ObjText(vtkPolyData* surface)
   return text;
 }
 
-/** Binary PLY by way of memory: vtkPLYWriter does not notice a full disk. */
-std::string PlyBytes(vtkPolyData* surface)
+/** vtkPLYWriter does not notice a full disk; what it wrote is read to find out. */
+void WritePly(vtkPolyData* surface, const std::string& path)
 {
   vtkNew<vtkPLYWriter> writer;
   writer->SetInputData(surface);
+  writer->SetFileName(path.c_str());
   writer->SetFileTypeToBinary();
-  writer->WriteToOutputStringOn();
   writer->Write();
-  return writer->GetOutputString();
+  try
+  {
+    CheckPly(path);
+  }
+  catch (const Failure&)
+  {
+    throw Failure("the file is not complete, perhaps the disk is full");
+  }
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeVtkWriter(
@@ -280,10 +278,10 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
 void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& temporary,
   Messages* messages, ProgressBar* progress)
 {
-  const std::string extension = Extension(path);
+  const std::string extension = LowerCaseExtension(path);
   if (extension == ".ply")
   {
-    WriteBytes(temporary, PlyBytes(surface));
+    WritePly(surface, temporary);
     return;
   }
   if (extension == ".obj")
