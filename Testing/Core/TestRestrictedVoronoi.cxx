@@ -1,0 +1,238 @@
+// Voronoi/RestrictedVoronoi against the definition: all cells by clipping with all bisectors.
+
+#include "TestDiagrams.h"
+
+using namespace remesh;
+
+namespace
+{
+using Cell = std::vector<test::Barycentric>;
+
+/** Sutherland-Hodgman: the part of a polygon where an affine function is not negative. */
+Cell clipped(const Cell& polygon, const std::array<double, 3>& values)
+{
+  const auto valueAt = [&](const test::Barycentric& b)
+  { return b[0] * values[0] + b[1] * values[1] + b[2] * values[2]; };
+  Cell result;
+  for (std::size_t v = 0; v < polygon.size(); ++v)
+  {
+    const test::Barycentric& start = polygon[v];
+    const test::Barycentric& end = polygon[(v + 1) % polygon.size()];
+    const double atStart = valueAt(start);
+    const double atEnd = valueAt(end);
+    if (atStart >= 0.0)
+    {
+      result.push_back(start);
+    }
+    if ((atStart >= 0.0) != (atEnd >= 0.0))
+    {
+      const double t = atStart / (atStart - atEnd);
+      result.push_back({ start[0] + t * (end[0] - start[0]), start[1] + t * (end[1] - start[1]),
+        start[2] + t * (end[2] - start[2]) });
+    }
+  }
+  return result;
+}
+
+/** What the site has of the facet: clipped with all other sites. */
+Cell cellOn(const EmbeddedSurface& surface, const Sites& sites, Index facet, Index site)
+{
+  Cell cell = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  for (Index other = 0; other < sites.count() && !cell.empty(); ++other)
+  {
+    std::array<double, 3> values{};
+    for (int k = 0; k < 3; ++k)
+    {
+      const double* corner = surface.corner(surface.facetCorners[facet][k]);
+      values[k] = test::exactDistance2(sites.site(other), corner, sites.dimension) -
+        test::exactDistance2(sites.site(site), corner, sites.dimension);
+    }
+    const bool coincide = values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0;
+    if (coincide ? other < site : other != site)
+    {
+      cell = coincide ? Cell() : clipped(cell, values);
+    }
+  }
+  return cell;
+}
+
+/** Adds the integrals over the triangle of R^d, from its points. */
+void addTriangle(const EmbeddedSurface& surface, const Sites& sites, Index facet, Index site,
+  const test::Barycentric corners[3], CellSums& sums)
+{
+  const int d = surface.dimension;
+  std::vector<double> p[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    p[k] = test::pointAt(surface, facet, corners[k]);
+  }
+  const double mass = triangleArea(p[0].data(), p[1].data(), p[2].data(), d);
+  const double* x = sites.site(site);
+  double squares = 0.0;
+  for (int k = 0; k < d; ++k)
+  {
+    const double center = (p[0][k] + p[1][k] + p[2][k]) / 3.0 - x[k];
+    sums.moment[static_cast<std::size_t>(site) * d + k] += mass * center;
+    squares += 9.0 * center * center;
+  }
+  for (const std::vector<double>& point : p)
+  {
+    squares += test::exactDistance2(point.data(), x, d);
+  }
+  sums.mass[site] += mass;
+  sums.area[site] +=
+    mass / surface.constants[facet].mass * surface.constants[facet].area;
+  sums.energy[site] += mass * squares / 12.0;
+}
+
+CellSums bruteForce(const EmbeddedSurface& surface, const Sites& sites)
+{
+  CellSums sums;
+  const auto n = static_cast<std::size_t>(sites.count());
+  sums.mass.resize(n);
+  sums.area.resize(n);
+  sums.energy.resize(n);
+  sums.moment.resize(sites.coordinates.size());
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    for (Index site = 0; site < sites.count(); ++site)
+    {
+      const Cell cell = cellOn(surface, sites, facet, site);
+      for (std::size_t v = 1; v + 1 < cell.size(); ++v)
+      {
+        const test::Barycentric corners[3] = { cell[0], cell[v], cell[v + 1] };
+        addTriangle(surface, sites, facet, site, corners, sums);
+      }
+    }
+  }
+  return sums;
+}
+
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = a.size() == b.size() ? 0.0 : 1.0;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+  {
+    largest = std::max(largest, std::abs(a[k] - b[k]));
+  }
+  return largest;
+}
+
+void checkSums(const EmbeddedSurface& surface, const Sites& sites, const CellSums& sums)
+{
+  const CellSums expected = bruteForce(surface, sites);
+  const double scale = surface.mass;
+  CHECK_NEAR(largestDifference(sums.mass, expected.mass), 0.0, 1e-12 * scale);
+  CHECK_NEAR(largestDifference(sums.area, expected.area), 0.0,
+    1e-12 * scale * surface.unit * surface.unit);
+  CHECK_NEAR(largestDifference(sums.energy, expected.energy), 0.0, 1e-12 * scale);
+  CHECK_NEAR(largestDifference(sums.moment, expected.moment), 0.0, 1e-12 * scale);
+  double squared = 0.0;
+  for (const double moment : expected.moment)
+  {
+    squared += 4.0 * moment * moment;
+  }
+  CHECK_NEAR(sums.gradientNorm, std::sqrt(squared), 1e-12 * scale);
+}
+
+/** Everything about the diagram of these sites; names the case if something failed. */
+void checkCase(const std::string& name, const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Sites& sites)
+{
+  const int before = test::failures();
+  const test::Computed result = test::computed(surface, sites);
+  test::checkDiagram(mesh, surface, sites, result);
+  checkSums(surface, sites, result.sums);
+  CellSums sums;
+  RestrictedVoronoi voronoi(surface);
+  CHECK(voronoi.integrate(sites, RunControl(), sums).ok());
+  CHECK(sums.mass == result.sums.mass && sums.energy == result.sums.energy &&
+    sums.moment == result.sums.moment);
+  if (test::failures() > before)
+  {
+    std::cerr << "  in: " << name << ", d = " << surface.dimension << ", n = " << sites.count()
+              << "\n";
+  }
+}
+
+/** On and off the surface, from one site to many more than facets. */
+void testRandomSites()
+{
+  for (const auto& [name, mesh] : test::smallMeshes())
+  {
+    for (const int d : { 3, 6, 8, 17 })
+    {
+      const EmbeddedSurface surface = test::embedded(mesh, d);
+      for (const Offset n : { 1, 2, 5, 40 })
+      {
+        const Sites sites = test::sampled(surface, n, static_cast<std::uint64_t>(10 * n + d));
+        checkCase(name + ", on the surface", mesh, surface, sites);
+        checkCase(name + ", near the surface", mesh, surface, test::shaken(sites, 0.1, 3));
+      }
+    }
+    const EmbeddedSurface surface = test::embedded(mesh, 6);
+    checkCase(name + ", far off", mesh, surface,
+      test::shaken(test::sampled(surface, 30, 1), 2.0, 4));
+  }
+}
+
+/** Twelve facets and many sites: each piece lies inside a facet. */
+void testManySitesPerFacet()
+{
+  const SurfaceMesh mesh = test::meshOf(test::cube());
+  for (const int d : { 3, 6 })
+  {
+    const EmbeddedSurface surface = test::embedded(mesh, d);
+    checkCase("cube, crowded", mesh, surface, test::sampled(surface, 250, 5));
+  }
+}
+
+/** A clump of sites and a few afar: neighbour lists must grow. */
+void testUnevenSites()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(2));
+  for (const int d : { 3, 17 })
+  {
+    const EmbeddedSurface surface = test::embedded(mesh, d);
+    Sites sites = test::sampled(surface, 64, 6);
+    for (Index site = 4; site < sites.count(); ++site)
+    {
+      for (int k = 0; k < d; ++k)
+      {
+        sites.site(site)[k] =
+          sites.site(3)[k] + 1e-3 * (sites.site(site)[k] - sites.site(3)[k]);
+      }
+    }
+    checkCase("a clump", mesh, surface, sites);
+  }
+}
+
+/** Evaluations one after the other do not depend on what came before, nor on its size. */
+void testEvaluationsInSequence()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(2));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  RestrictedVoronoi voronoi(surface);
+  int evaluations = 0;
+  for (const Offset n : { 50, 3, 1, 80, 80 })
+  {
+    const Sites sites = test::sampled(surface, n, static_cast<std::uint64_t>(n));
+    const test::Computed alone = test::computed(surface, sites);
+    CellSums sums;
+    CHECK(voronoi.integrate(sites, RunControl(), sums).ok());
+    CHECK(sums.mass == alone.sums.mass && sums.moment == alone.sums.moment);
+    CHECK(voronoi.owners() == alone.owners);
+    ++evaluations;
+    CHECK_EQUAL(voronoi.evaluations(), evaluations);
+  }
+}
+}
+
+int TestRestrictedVoronoi(int, char*[])
+{
+  testRandomSites();
+  testManySitesPerFacet();
+  testUnevenSites();
+  testEvaluationsInSequence();
+  return test::result();
+}
