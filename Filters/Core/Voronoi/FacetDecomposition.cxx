@@ -46,13 +46,35 @@ FacetSite FacetDecomposition<D>::see(Index facet, Index site) const
 template <int D>
 int FacetDecomposition<D>::slotOf(Index facet, Index site)
 {
-  if (m_cutOfSlot[site] != m_cut)
+  return m_cutOfSlot[site] == m_cut ? m_slotOfSite[site] : this->addSlot(this->see(facet, site));
+}
+
+template <int D>
+int FacetDecomposition<D>::addSlot(const FacetSite& seen)
+{
+  m_cutOfSlot[seen.id] = m_cut;
+  m_slotOfSite[seen.id] = m_tiling.addSite(seen);
+  m_queued.push_back(0);
+  return m_slotOfSite[seen.id];
+}
+
+template <int D>
+bool FacetDecomposition<D>::addCandidate(Index facet, Index site)
+{
+  if (m_cutOfSlot[site] == m_cut)
   {
-    m_cutOfSlot[site] = m_cut;
-    m_slotOfSite[site] = m_tiling.addSite(this->see(facet, site));
-    m_queued.push_back(0);
+    return true; // an owner
   }
-  return m_slotOfSite[site];
+  const FacetSite seen = this->see(facet, site);
+  for (std::size_t owner = 0; owner < m_used; ++owner)
+  {
+    if (!beatsSomewhere(seen, m_tiling.site(static_cast<int>(owner))))
+    {
+      return true; // wins nothing here
+    }
+  }
+  this->addSlot(seen);
+  return m_tiling.numberOfSites() <= mostCandidates;
 }
 
 template <int D>
@@ -96,7 +118,7 @@ bool FacetDecomposition<D>::gatherCandidates(Index facet)
     }
   }
   const double bound = (nearest + 2.0 * m_surface.constants[facet].radius) * aboveRounding;
-  const double reach = (nearest + bound) * aboveRounding;
+  const double reach = (nearest + bound) * aboveRounding + m_lists.approach(owner);
   const Neighbor* neighbor = m_lists.begin(owner);
   const Neighbor* end = neighbor + m_lists.length();
   const double bound2 = bound * bound;
@@ -104,11 +126,10 @@ bool FacetDecomposition<D>::gatherCandidates(Index facet)
   {
     if (squaredDistance<D>(m_sites.site(neighbor->site), m_center.data(), d) <= bound2)
     {
-      if (m_tiling.numberOfSites() >= mostCandidates)
+      if (!this->addCandidate(facet, neighbor->site))
       {
         return false;
       }
-      this->slotOf(facet, neighbor->site);
     }
   }
   return neighbor != end || m_lists.complete();
@@ -136,13 +157,13 @@ void FacetDecomposition<D>::clipWithNeighbors(Index facet, FacetPiece& piece)
   { return m_security.roundUp(m_tiling.squaredRadius(piece.polygon, piece.slot), reach2); };
   double radius = radiusNow();
   NeighborWalk walk(m_lists, m_longer, site.id);
-  while (const Neighbor* neighbor = walk.next())
+  while (walk.next())
   {
-    if (m_security.excludes(neighbor->distance, radius, reach) || piece.polygon.empty())
+    if (m_security.excludes(walk.leastDistance(), radius, reach) || piece.polygon.empty())
     {
       return;
     }
-    if (m_tiling.clip(piece.polygon, piece.slot, this->slotOf(facet, neighbor->site)))
+    if (m_tiling.clip(piece.polygon, piece.slot, this->slotOf(facet, walk.site())))
     {
       radius = radiusNow();
     }

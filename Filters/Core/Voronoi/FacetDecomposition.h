@@ -52,9 +52,11 @@ public:
 
 private:
   bool gatherCandidates(Index facet);
+  bool addCandidate(Index facet, Index site);
   void clipWithCandidates(FacetPiece& piece);
   void clipWithNeighbors(Index facet, FacetPiece& piece);
   int slotOf(Index facet, Index site);
+  int addSlot(const FacetSite& seen);
   void enqueue(int slot);
 
   const EmbeddedSurface& m_surface;

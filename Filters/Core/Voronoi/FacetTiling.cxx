@@ -54,6 +54,10 @@ bool FacetTiling::beats(const Polygon& polygon, int vertex, int i, int q) const
 // ends of an edge along the bisector with q.
 bool FacetTiling::clip(Polygon& polygon, int i, int q)
 {
+  if (!beatsSomewhere(m_sites[q], m_sites[i]))
+  {
+    return false;
+  }
   const int size = static_cast<int>(polygon.size());
   m_beaten.resize(size);
   int beaten = 0;

@@ -23,16 +23,16 @@ Index findNearer(const double* point, Index owner, const Sites& sites, const Nei
   const double owned = squaredDistance<D>(sites.site(owner), point, d);
   const double radius = std::sqrt(owned);
   NeighborWalk walk(lists, longer, owner);
-  while (const Neighbor* neighbor = walk.next())
+  while (walk.next())
   {
-    if (security.excludes(neighbor->distance, radius, radius))
+    if (security.excludes(walk.leastDistance(), radius, radius))
     {
       return noIndex;
     }
-    const double other = squaredDistance<D>(sites.site(neighbor->site), point, d);
-    if (other < owned || (other == owned && neighbor->site < owner))
+    const double other = squaredDistance<D>(sites.site(walk.site()), point, d);
+    if (other < owned || (other == owned && walk.site() < owner))
     {
-      return neighbor->site;
+      return walk.site();
     }
   }
   return noIndex;

@@ -33,6 +33,12 @@ inline bool beatsAtCorner(const FacetSite& q, const FacetSite& i, int k)
   return q.h[k] < i.h[k] || (q.h[k] == i.h[k] && q.id < i.id);
 }
 
+/** Whether q beats i somewhere on the facet: affine functions cross nowhere unless at a corner. */
+inline bool beatsSomewhere(const FacetSite& q, const FacetSite& i)
+{
+  return beatsAtCorner(q, i, 0) || beatsAtCorner(q, i, 1) || beatsAtCorner(q, i, 2);
+}
+
 /**
  * Whether q beats i at the point where the bisector of i and j crosses the facet's edge from
  * corner k to corner (k + 1) % 3.

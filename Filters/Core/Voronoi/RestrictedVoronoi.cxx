@@ -132,7 +132,7 @@ void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
 
 Status RestrictedVoronoi::locate(const Sites& sites, const RunControl& control)
 {
-  if (Status status = m_lists.build(sites, control.step(0, 4)); !status.ok())
+  if (Status status = m_lists.update(sites, control.step(0, 4)); !status.ok())
   {
     return status;
   }

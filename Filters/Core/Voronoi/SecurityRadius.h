@@ -23,13 +23,13 @@ public:
   }
 
   /**
-   * Whether no site at `distance` from x_i can win a point within `radius` of x_i, where `reach`
+   * Whether no site at `distance` or more from x_i can win a point within `radius` of x_i, where `reach`
    * is the largest distance from x_i to a corner of the facet.
    */
   bool excludes(double distance, double radius, double reach) const
   {
     const double extent = distance + reach;
-    return distance * (distance - 2.0 * radius) > m_slack * extent * extent;
+    return distance > 0.0 && distance * (distance - 2.0 * radius) > m_slack * extent * extent;
   }
 
   /** A radius not below the true one, from its rounded square. */
