@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "OutputFiles.h"
 #include "PlyCheck.h"
+#include "PlyCoordinates.h"
 #include "ProgressBar.h"
 
 #include <vtkCellArray.h>
@@ -265,6 +266,10 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
     if (surface == nullptr)
     {
       throw Failure("it holds no polygonal data");
+    }
+    if (LowerCaseExtension(path) == ".ply")
+    {
+      RestorePlyCoordinates(path, surface);
     }
     CheckCells(surface);
     return surface;
