@@ -3,7 +3,6 @@
 #include "Mesh/EdgeTable.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace remesh
 {
@@ -34,8 +33,26 @@ std::vector<Triple> collectTriangles(const Diagram& diagram, const Components& c
   return triangles;
 }
 
-/** Keeps the first of the triangles on the same three vertices; returns how many went. */
-Offset removeRepeated(std::vector<Triple>& triangles)
+/** The triangles without those marked. */
+void removeMarked(std::vector<Triple>& triangles, const std::vector<char>& marked)
+{
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (!marked[t])
+    {
+      triangles[kept++] = triangles[t];
+    }
+  }
+  triangles.resize(kept);
+}
+
+/**
+ * Keeps the first of the triangles on the same three vertices.
+ *
+ * @param repeated for each triangle that is kept, how many others went.
+ */
+void removeRepeated(std::vector<Triple>& triangles, std::vector<Index>& repeated)
 {
   struct Key
   {
@@ -54,22 +71,53 @@ Offset removeRepeated(std::vector<Triple>& triangles)
     std::sort(keys[t].sorted.begin(), keys[t].sorted.end());
   }
   std::sort(keys.begin(), keys.end());
-  std::vector<char> repeated(triangles.size(), 0);
-  for (std::size_t k = 1; k < keys.size(); ++k)
+  std::vector<char> marked(triangles.size(), 0);
+  std::vector<Index> copies(triangles.size(), 0);
+  for (std::size_t k = 1, first = 0; k < keys.size(); ++k)
   {
-    repeated[keys[k].position] = keys[k].sorted == keys[k - 1].sorted;
-  }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (!repeated[t])
+    if (keys[k].sorted == keys[first].sorted)
     {
-      triangles[kept++] = triangles[t];
+      marked[keys[k].position] = 1;
+      ++copies[keys[first].position];
+    }
+    else
+    {
+      first = k;
     }
   }
-  const auto removed = static_cast<Offset>(triangles.size() - kept);
-  triangles.resize(kept);
-  return removed;
+  repeated.clear();
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (!marked[t])
+    {
+      repeated.push_back(copies[t]);
+    }
+  }
+  removeMarked(triangles, marked);
+}
+
+/**
+ * Removes triangles that hang by one edge: where a cell has two neighbours only, as at the tip of a
+ * spike, its two points of three cells give the same triangle, seen from both sides.
+ */
+void removeHanging(std::vector<Triple>& triangles, const std::vector<Index>& repeated, Index count)
+{
+  std::vector<Index> uses(static_cast<std::size_t>(count), 0);
+  for (const Triple& triangle : triangles)
+  {
+    for (const Index vertex : triangle)
+    {
+      ++uses[vertex];
+    }
+  }
+  std::vector<char> marked(triangles.size(), 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    marked[t] = repeated[t] == 1 &&
+      std::any_of(triangles[t].begin(), triangles[t].end(),
+        [&](Index vertex) { return uses[vertex] == 1; });
+  }
+  removeMarked(triangles, marked);
 }
 }
 
@@ -77,7 +125,11 @@ Dual buildDual(const Diagram& diagram, const Components& components)
 {
   Dual dual;
   dual.triangles = collectTriangles(diagram, components);
-  dual.repeated = removeRepeated(dual.triangles);
+  const std::size_t all = dual.triangles.size();
+  std::vector<Index> repeated;
+  removeRepeated(dual.triangles, repeated);
+  removeHanging(dual.triangles, repeated, components.count());
+  dual.repeated = static_cast<Offset>(all - dual.triangles.size());
 
   const EdgeTable edges = buildEdgeTable(dual.triangles);
   std::vector<char> used(static_cast<std::size_t>(components.count()), 0);
