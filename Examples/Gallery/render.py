@@ -163,7 +163,7 @@ def fit_camera(renderer, surface, view, up, zoom):
 
 
 def render(actors, surface, options):
-    """One half of the picture. (Of two renderers in one window, only the first gets its shading.)"""
+    """One half of the picture. (Of two renderers in a window, only one gets its shading.)"""
     width, height = options.size[0] // 2, options.size[1]
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)

@@ -12,123 +12,18 @@ import re
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from CommandLineTesting import FORMATS, SMALL, CommandLineTest, content, read, sphere, write
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
-from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 MAN_PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                         "..", "..", "Examples", "Cxx", "remesh_surface.1")
-FORMATS = ("vtp", "vtk", "ply", "stl", "obj")
-WRITERS = dict(zip(FORMATS, (vtkXMLPolyDataWriter, vtkPolyDataWriter, vtkPLYWriter, vtkSTLWriter,
-                             vtkOBJWriter)))
-READERS = dict(zip(FORMATS, (vtkXMLPolyDataReader, vtkPolyDataReader, vtkPLYReader, vtkSTLReader,
-                             vtkOBJReader)))
-SMALL = ["--points", "60", "--lloyd", "2"]
-
-
-def sphere():
-    """An ellipsoid with the arrays Normals (active; those of the sphere), Six and Height."""
-    source = vtkSphereSource()
-    source.SetThetaResolution(24)
-    source.SetPhiResolution(20)
-    source.Update()
-    surface = vtkPolyData()
-    surface.DeepCopy(source.GetOutput())
-    points = vtk_to_numpy(surface.GetPoints().GetData())
-    normals = vtk_to_numpy(surface.GetPointData().GetNormals()).astype(float)
-    points[:, 0] *= 2.0
-    for name, values in (("Six", numpy_six(points, normals)), ("Height", points[:, 2].copy())):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        surface.GetPointData().AddArray(array)
-    return surface
-
-
-def numpy_six(points, normals):
-    import numpy
-    return numpy.hstack([points.astype(float), 0.25 * normals])
-
-
-def write(surface, path):
-    writer = WRITERS[path.rsplit(".", 1)[1]]()
-    writer.SetInputData(surface)
-    writer.SetFileName(path)
-    writer.Write()
-
-
-def read(path):
-    reader = READERS[path.rsplit(".", 1)[1].lower()]()
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput()
-
-
-def content(path):
-    with open(path, "rb") as file:
-        return file.read()
-
-
-class CommandLineTest(unittest.TestCase):
-    program = None
-    work = None
-
-    @classmethod
-    def setUpClass(cls):
-        cls.inputs = tempfile.mkdtemp(dir=cls.work, prefix="inputs-")
-        surface = sphere()
-        for extension in FORMATS:
-            write(surface, os.path.join(cls.inputs, "sphere." + extension))
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.inputs)
-
-    def setUp(self):
-        self.folder = tempfile.mkdtemp(dir=self.work, prefix="run-")
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def input(self, name="sphere.vtp"):
-        return os.path.join(self.inputs, name)
-
-    def save(self, name, data):
-        """A file of the inputs' folder with the given bytes; its path."""
-        path = self.input(name)
-        with open(path, "wb") as file:
-            file.write(data)
-        return path
-
-    def run_program(self, *arguments, **keywords):
-        return subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True,
-                              encoding="utf-8", errors="replace", timeout=300, check=False,
-                              **keywords)
-
-    def succeed(self, *arguments):
-        result = self.run_program(*arguments)
-        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""), arguments)
-        return self
-
-    def fail_with(self, status, pattern, *arguments, **keywords):
-        """The run has this exit status, one sentence that matches, and leaves no new file."""
-        before = sorted(os.listdir(self.folder))
-        result = self.run_program(*arguments, **keywords)
-        self.assertEqual(result.returncode, status, (arguments, result.stderr))
-        self.assertEqual(result.stdout, "")
-        self.assertRegex(result.stderr, r"\Aremesh_surface: [^\n]+\n\Z")
-        self.assertRegex(result.stderr, pattern)
-        self.assertEqual(sorted(os.listdir(self.folder)), before, arguments)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
 
 class TestUsage(CommandLineTest):
@@ -148,7 +43,8 @@ class TestUsage(CommandLineTest):
         ]
         for name in ("--points", "--lloyd", "--seed", "--threads", "--normal-smoothing"):
             for value in ("many", "1.5", "", " 7", "7x", "99999999999999999999"):
-                cases.append((f"{name} (needs an integer|must be from)", files + [f"{name}={value}"]))
+                cases.append((f"{name} (needs an integer|must be from)",
+                              files + [f"{name}={value}"]))
         for name in ("--anisotropy", "--merge-tolerance"):
             for value in ("some", "", "nan", "inf", "-0.1", "1.5", "0.1x"):
                 cases.append((f"{name} (needs a number|must be from)", files + [f"{name}={value}"]))
@@ -361,6 +257,25 @@ class TestResults(CommandLineTest):
         lines = [line.split() for line in content(self.path("OUT.OBJ")).decode().splitlines()]
         points = [tuple(map(float, words[1:])) for words in lines if words[0] == "v"]
         self.assertEqual(points, [surface.GetPoint(i) for i in range(60)])
+
+    def test_ply_precision(self):
+        single = struct.unpack("f", struct.pack("f", 0.1))[0]
+        for kind, expected in (("double", 0.1), ("float", single)):
+            properties = "".join(f"property {kind} {axis}\n" for axis in "xyz")
+            header = (f"element vertex 4\n{properties}element face 4\n"
+                      "property list uchar int vertex_indices\nend_header\n")
+            points = [(0.1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+            faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+            text = "".join("%r %r %r\n" % point for point in points)
+            text += "".join("3 %d %d %d\n" % face for face in faces)
+            binary = b"".join(struct.pack(f">3{kind[0]}", *point) for point in points)
+            binary += b"".join(struct.pack(">B3i", 3, *face) for face in faces)
+            for name, data in (("ascii", text.encode()), ("binary_big_endian", binary)):
+                with self.subTest(kind=kind, name=name):
+                    path = self.save("tetrahedron.ply",
+                                     f"ply\nformat {name} 1.0\n{header}".encode() + data)
+                    self.succeed(path, "out.vtp", *SMALL, "--embedded-surface", "x.vtp")
+                    self.assertEqual(read(self.path("x.vtp")).GetPoint(0)[0], expected)
 
     def test_further_outputs(self):
         self.succeed(self.input(), "out.vtp", *SMALL, "--cells", "c.vtp", "--sites", "s.vtp",
