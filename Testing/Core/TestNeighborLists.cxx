@@ -4,77 +4,62 @@
 #include "Voronoi/NeighborLists.h"
 
 #include <algorithm>
+#include <limits>
 
 using namespace remesh;
 
 namespace
 {
-/** One walk against the distances by definition. */
-void checkWalk(const Sites& sites, const NeighborLists& lists, LongerLists& longer, Index site)
+double distanceBetween(const Sites& sites, Index a, Index b)
+{
+  return std::sqrt(test::exactDistance2(sites.site(a), sites.site(b), sites.dimension));
+}
+
+/**
+ * One walk: all other sites come, the bound only grows, and no site from here on is nearer. With
+ * sites at rest the bound is the distance.
+ */
+void checkWalk(
+  const Sites& sites, const NeighborLists& lists, LongerLists& longer, Index site, bool atRest)
 {
   const double rounding = 1e-14;
   std::vector<char> seen(static_cast<std::size_t>(sites.count()), 0);
   Index distinct = 0;
   int wrong = 0;
-  double last = 0.0;
+  double last = -std::numeric_limits<double>::infinity();
   NeighborWalk walk(lists, longer, site);
-  while (const Neighbor* neighbor = walk.next())
+  while (walk.next())
   {
-    const double distance = std::sqrt(test::exactDistance2(
-      sites.site(site), sites.site(neighbor->site), sites.dimension));
-    wrong += neighbor->site == site || neighbor->distance < last ||
-      std::abs(neighbor->distance - distance) > rounding;
-    last = neighbor->distance;
-    distinct += !seen[neighbor->site];
-    seen[neighbor->site] = 1;
+    const double distance = distanceBetween(sites, site, walk.site());
+    const double bound = walk.leastDistance();
+    wrong += walk.site() == site || bound < last || bound > distance + rounding;
+    wrong += atRest && bound < distance - rounding;
+    last = bound;
+    distinct += !seen[walk.site()];
+    seen[walk.site()] = 1;
   }
   CHECK_EQUAL(wrong, 0);
   CHECK_EQUAL(distinct, sites.count() - 1);
 }
 
-/** What comes first is nearest: no site left out is nearer than one that has come. */
-void checkPrefix(const Sites& sites, const NeighborLists& lists, LongerLists& longer, Index site)
+void checkAllWalks(const Sites& sites, const NeighborLists& lists, Index stride, bool atRest)
 {
-  std::vector<double> distances;
-  for (Index other = 0; other < sites.count(); ++other)
+  LongerLists longer;
+  for (Index site = 0; site < sites.count(); site += stride)
   {
-    if (other != site)
-    {
-      distances.push_back(std::sqrt(
-        test::exactDistance2(sites.site(site), sites.site(other), sites.dimension)));
-    }
+    checkWalk(sites, lists, longer, site, atRest);
   }
-  std::sort(distances.begin(), distances.end());
-  // Repeats at equal distances aside, the k-th distinct neighbour is at the k-th distance.
-  std::vector<char> seen(static_cast<std::size_t>(sites.count()), 0);
-  std::size_t distinct = 0;
-  double largestError = 0.0;
-  NeighborWalk walk(lists, longer, site);
-  while (const Neighbor* neighbor = walk.next())
-  {
-    if (!seen[neighbor->site])
-    {
-      seen[neighbor->site] = 1;
-      largestError = std::max(largestError, std::abs(neighbor->distance - distances[distinct]));
-      ++distinct;
-    }
-  }
-  CHECK_NEAR(largestError, 0.0, 1e-14);
+  checkWalk(sites, lists, longer, 0, atRest); // again, with the longer lists there already
+  longer.clear();
+  checkWalk(sites, lists, longer, sites.count() - 1, atRest);
+  CHECK_EQUAL(lists.search().numberOfSites(), sites.count());
 }
 
 void checkSites(const Sites& sites, Index stride)
 {
   NeighborLists lists;
   CHECK(lists.build(sites, RunControl()).ok());
-  LongerLists longer;
-  for (Index site = 0; site < sites.count(); site += stride)
-  {
-    checkWalk(sites, lists, longer, site);
-    checkPrefix(sites, lists, longer, site);
-  }
-  longer.clear();
-  checkWalk(sites, lists, longer, sites.count() - 1);
-  CHECK_EQUAL(lists.search().numberOfSites(), sites.count());
+  checkAllWalks(sites, lists, stride, true);
 }
 
 void testRandomSites()
@@ -112,11 +97,36 @@ void testTies()
   }
   checkSites(sites, 50);
 }
+
+/** Sites that creep, then jump, then grow in number: the lists stay valid, kept or built anew. */
+void testMovingSites()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(2));
+  for (const int d : { 3, 6, 17 })
+  {
+    const EmbeddedSurface surface = test::embedded(mesh, d);
+    Sites sites = test::sampled(surface, 150, 2);
+    NeighborLists lists;
+    for (int step = 0; step < 30; ++step)
+    {
+      CHECK(lists.update(sites, RunControl()).ok());
+      checkAllWalks(sites, lists, 11, step == 0);
+      sites = test::shaken(sites, step == 20 ? 1.0 : 2e-3, static_cast<std::uint64_t>(step));
+    }
+    for (const Offset n : { 151, 10, 1, 40 })
+    {
+      sites = test::sampled(surface, n, 3);
+      CHECK(lists.update(sites, RunControl()).ok());
+      checkAllWalks(sites, lists, 11, true);
+    }
+  }
+}
 }
 
 int TestNeighborLists(int, char*[])
 {
   testRandomSites();
   testTies();
+  testMovingSites();
   return test::result();
 }

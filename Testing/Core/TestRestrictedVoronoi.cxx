@@ -226,6 +226,31 @@ void testEvaluationsInSequence()
     CHECK_EQUAL(voronoi.evaluations(), evaluations);
   }
 }
+
+/** Small moves, where neighbour lists may be kept: the cells are those of the sites all the same. */
+void testCreepingSites()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(2));
+  for (const int d : { 3, 6, 17 })
+  {
+    const EmbeddedSurface surface = test::embedded(mesh, d);
+    Sites sites = test::sampled(surface, 120, 4);
+    RestrictedVoronoi voronoi(surface);
+    for (int step = 0; step < 25; ++step)
+    {
+      test::Computed result;
+      CHECK(voronoi.decompose(sites, RunControl(), result.sums, result.diagram).ok());
+      const test::Computed alone = test::computed(surface, sites);
+      CHECK(result.diagram.sites == alone.diagram.sites);
+      CHECK(result.diagram.facetBegin == alone.diagram.facetBegin);
+      CHECK(voronoi.owners() == alone.owners);
+      CHECK_NEAR(largestDifference(result.sums.mass, alone.sums.mass), 0.0, 1e-15);
+      CHECK_NEAR(largestDifference(result.sums.moment, alone.sums.moment), 0.0, 1e-15);
+      test::checkTiling(surface, result.diagram);
+      sites = test::shaken(sites, step % 10 == 9 ? 0.2 : 3e-3, static_cast<std::uint64_t>(step));
+    }
+  }
+}
 }
 
 int TestRestrictedVoronoi(int, char*[])
@@ -234,5 +259,6 @@ int TestRestrictedVoronoi(int, char*[])
   testManySitesPerFacet();
   testUnevenSites();
   testEvaluationsInSequence();
+  testCreepingSites();
   return test::result();
 }
