@@ -168,7 +168,8 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   return remesh::Status::success();
 }
 
-int vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(
+vtkEmbeddedSurfaceAlgorithm::vtkInternals::Outcome
+vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(
   vtkEmbeddedSurfaceAlgorithm* self, const std::function<remesh::Status()>& work)
 {
   static const char* const names[] = { "", "Sequential", "STDThread", "TBB" };
@@ -193,13 +194,18 @@ int vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(
   switch (status.code)
   {
     case remesh::StatusCode::Ok:
+      return Outcome::Done;
     case remesh::StatusCode::EmptyInput:
-      return 1;
+      if (self->Internals->LastRun.Intake.dropped() > 0)
+      {
+        vtkWarningWithObjectMacro(self, << status.message);
+      }
+      return Outcome::Nothing;
     case remesh::StatusCode::Cancelled:
-      return 0;
+      return Outcome::Nothing; // a failure would make the executive report an error
     default:
       vtkErrorWithObjectMacro(self, << status.message);
-      return 0;
+      return Outcome::Failed;
   }
 }
 

@@ -38,11 +38,18 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
   static remesh::Status MakeRequest(vtkEmbeddedSurfaceAlgorithm* self,
     vtkInformationVector** inputVector, remesh::PreparationRequest& request);
 
+  enum class Outcome
+  {
+    Done,    ///< there is a result to write
+    Nothing, ///< empty input or cancelled: the outputs stay empty, and RequestData returns 1
+    Failed   ///< an error was reported: the outputs stay empty, and RequestData returns 0
+  };
+
   /**
-   * Runs `work` in the filter's threads and back-end, and turns its status into VTK's errors:
-   * returns 1 for success and for empty input, 0 after an error or when cancelled.
+   * Runs `work` in the filter's threads and back-end, and turns its status into VTK's errors.
+   * `work` sets LastRun.Intake: an input that has triangles, but none of use, gives a warning.
    */
-  static int Execute(
+  static Outcome Execute(
     vtkEmbeddedSurfaceAlgorithm* self, const std::function<remesh::Status()>& work);
 };
 

@@ -53,18 +53,20 @@ int vtkGaussMapEmbedding::RequestData(
   facts = {};
   remesh::PreparedSurface prepared;
   remesh::PreparationRequest request;
-  const int succeeded = vtkInternals::Execute(this,
+  const auto outcome = vtkInternals::Execute(this,
     [&]() -> remesh::Status
     {
       remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
-      return status.ok()
-        ? remesh::prepareSurface(input, request, remesh::makeRunControl(this), prepared)
-        : status;
+      if (status.ok())
+      {
+        status = remesh::prepareSurface(input, request, remesh::makeRunControl(this), prepared);
+      }
+      facts.Intake = prepared.intake;
+      return status;
     });
-  facts.Intake = prepared.intake;
-  if (!succeeded || prepared.coordinates.dimension == 0)
+  if (outcome != vtkInternals::Outcome::Done)
   {
-    return succeeded;
+    return outcome == vtkInternals::Outcome::Nothing;
   }
   for (const std::string& warning : prepared.warnings)
   {

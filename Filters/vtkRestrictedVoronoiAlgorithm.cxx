@@ -101,7 +101,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   remesh::GivenSites given;
   remesh::RemeshResult result;
 
-  const int succeeded = vtkInternals::Execute(this,
+  const auto outcome = vtkInternals::Execute(this,
     [&]() -> remesh::Status
     {
       const Clock::time_point start = Clock::now();
@@ -122,9 +122,9 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
                              control.part(0.1, 0.95), result)
                          : status;
     });
-  if (!succeeded || result.sites.count() == 0)
+  if (outcome != vtkInternals::Outcome::Done)
   {
-    return succeeded;
+    return outcome == vtkInternals::Outcome::Nothing;
   }
   for (const std::string& warning : prepared.warnings)
   {

@@ -1,0 +1,183 @@
+// Progress rises from 0 to 1; an abort is heard soon, and leaves nothing behind.
+
+#include "TestHelpers.h"
+
+#include "vtkAnisotropicRemesher.h"
+#include "vtkGaussMapEmbedding.h"
+#include "vtkRestrictedVoronoiDiagram.h"
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/** Calls `watch(progress)` at each progress event, as long as this object lives. */
+class ProgressWatch
+{
+public:
+  ProgressWatch(vtkAlgorithm* algorithm, std::function<void(double)> watch)
+    : Algorithm(algorithm)
+    , Watch(std::move(watch))
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* progress)
+      { static_cast<ProgressWatch*>(self)->Watch(*static_cast<double*>(progress)); });
+    this->Tag = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+  ~ProgressWatch() { this->Algorithm->RemoveObserver(this->Tag); }
+  ProgressWatch(const ProgressWatch&) = delete;
+  void operator=(const ProgressWatch&) = delete;
+
+private:
+  vtkAlgorithm* Algorithm;
+  std::function<void(double)> Watch;
+  unsigned long Tag = 0;
+};
+
+std::vector<double> progressOf(vtkAlgorithm* filter)
+{
+  std::vector<double> values;
+  const std::thread::id caller = std::this_thread::get_id();
+  ProgressWatch watch(filter,
+    [&](double progress)
+    {
+      CHECK(std::this_thread::get_id() == caller);
+      values.push_back(progress);
+    });
+  filter->Modified();
+  filter->Update();
+  return values;
+}
+
+void testProgress(vtkAlgorithm* filter, std::size_t atLeast)
+{
+  const std::vector<double> values = progressOf(filter);
+  CHECK(values.size() >= atLeast);
+  CHECK_EQUAL(values.front(), 0.0);
+  CHECK_EQUAL(values.back(), 1.0);
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    CHECK(values[k] >= 0.0 && values[k] <= 1.0);
+    CHECK(k == 0 || values[k] >= values[k - 1]);
+  }
+  CHECK_EQUAL(filter->GetProgress(), 1.0);
+}
+
+void testAbort(vtkAlgorithm* filter, double moment)
+{
+  const std::string where = "abort at " + std::to_string(moment);
+  Messages messages(filter);
+  bool aborted = false;
+  {
+    ProgressWatch watch(filter,
+      [&](double progress)
+      {
+        if (progress >= moment && !aborted)
+        {
+          aborted = true;
+          filter->SetAbortExecute(1);
+        }
+      });
+    filter->Modified();
+    filter->Update();
+  }
+  check(aborted, __FILE__, __LINE__, where + ": not reached");
+  check(outputsAreEmpty(filter), __FILE__, __LINE__, where + ": the outputs are not empty");
+  check(messages.errors().empty(), __FILE__, __LINE__, where + ": an error");
+  check(messages.warnings().empty(), __FILE__, __LINE__, where + ": a warning");
+  check(messages.executiveErrors().empty(), __FILE__, __LINE__, where + ": an executive's error");
+}
+
+/** Seconds from an abort, `delay` seconds after the start, to the end; negative if it came late. */
+double secondsToStop(vtkAlgorithm* filter, double delay)
+{
+  Clock::time_point aborted;
+  std::thread user(
+    [&]()
+    {
+      std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+      aborted = Clock::now();
+      filter->SetAbortExecute(1);
+    });
+  filter->Modified();
+  filter->Update();
+  const Clock::time_point end = Clock::now();
+  user.join();
+  return std::chrono::duration<double>(end - aborted).count();
+}
+
+/** A long run listens at any moment. Best of three: the machine may have other work. */
+void testResponsiveness()
+{
+  const auto input = polyDataOf(torus(1.0, 0.3, 500, 200)); // 200 000 triangles
+  vtkNew<vtkAnisotropicRemesher> filter;
+  filter->SetInputData(input);
+  filter->SetNumberOfPoints(50000);
+  filter->SetNumberOfLloydIterations(100000);
+  for (const double delay : { 0.02, 0.1, 0.25, 0.5, 1.0 })
+  {
+    double best = HUGE_VAL;
+    for (int attempt = 0; attempt < 3 && best > 0.5; ++attempt)
+    {
+      best = std::min(best, secondsToStop(filter, delay));
+    }
+    std::cout << "Aborted after " << delay << " s, stopped " << best << " s later.\n";
+    CHECK(best > 0.0 && best < 0.5);
+    CHECK(outputsAreEmpty(filter));
+  }
+}
+}
+
+int TestProgressAbort(int, char*[])
+{
+  const auto input = polyDataOf(ellipsoid(4));
+  vtkNew<vtkAnisotropicRemesher> remesher;
+  remesher->SetInputData(input);
+  remesher->SetNumberOfPoints(500);
+  remesher->SetNumberOfLloydIterations(20);
+  vtkNew<vtkRestrictedVoronoiDiagram> diagram;
+  diagram->SetInputData(input);
+  diagram->SetSitesData(polyDataOf(ellipsoid(2)));
+  vtkNew<vtkGaussMapEmbedding> embedding;
+  embedding->SetInputData(input);
+
+  testProgress(remesher, 25);
+  testProgress(diagram, 5);
+  testProgress(embedding, 3);
+
+  const std::vector<Content> remeshed = contentsOf(remesher);
+  for (const double moment : { 0.001, 0.03, 0.1, 0.2, 0.5, 0.8, 0.85, 0.9, 0.94 })
+  {
+    testAbort(remesher, moment);
+  }
+  const std::vector<Content> cells = contentsOf(diagram);
+  for (const double moment : { 0.001, 0.2, 0.9, 0.94 })
+  {
+    testAbort(diagram, moment);
+  }
+  const std::vector<Content> embedded = contentsOf(embedding);
+  for (const double moment : { 0.001, 0.5, 0.9 })
+  {
+    testAbort(embedding, moment);
+  }
+  // All work afterwards, as before.
+  for (vtkAlgorithm* filter : std::initializer_list<vtkAlgorithm*>{ remesher, diagram, embedding })
+  {
+    filter->Modified();
+    filter->Update();
+  }
+  checkSame(contentsOf(remesher), remeshed, "the remesher after an abort");
+  checkSame(contentsOf(diagram), cells, "the diagram after an abort");
+  checkSame(contentsOf(embedding), embedded, "the embedding after an abort");
+
+  testResponsiveness();
+  return result();
+}
