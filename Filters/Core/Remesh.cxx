@@ -1,5 +1,6 @@
 #include "Remesh.h"
 
+#include "Embedding/Embedding.h"
 #include "Optimization/Lloyd.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
@@ -90,7 +91,6 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
 {
   result = RemeshResult{};
   Stopwatch watch;
-  RestrictedVoronoi voronoi(surface);
 
   control.enterPhase("Sampling", 0.0, 0.02);
   if (Status status = makeSites(surface, options, result.sites); !status.ok())
@@ -101,13 +101,18 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
 
   if (options.optimize)
   {
+    RestrictedVoronoi voronoi(surface);
     if (Status status = optimize(surface, options, control, voronoi, result); !status.ok())
     {
       return status;
     }
+    roundToCaller(surface, result.sites);
+    result.evaluations = voronoi.evaluations();
   }
   watch.lap();
 
+  // Begun afresh, the diagram depends on the sites alone, and not on the way they came.
+  RestrictedVoronoi voronoi(surface);
   control.enterPhase("Restricted Voronoi diagram", 0.85, 0.95);
   if (Status status = voronoi.decompose(result.sites, control, result.sums, result.diagram);
       !status.ok())
@@ -126,7 +131,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     return status;
   }
   result.seconds.diagram = watch.lap();
-  result.evaluations = voronoi.evaluations();
+  result.evaluations += voronoi.evaluations();
   return Status::success();
 }
 }

@@ -43,7 +43,11 @@ FacetConstants measureFacet(const SurfaceMesh& mesh, const EmbeddedSurface& surf
   return constants;
 }
 
-/** Middle of the coordinates' ranges, and the power of two not less than the largest half-range. */
+/**
+ * About the middle of the coordinates' ranges, and the power of two not less than the largest
+ * distance from there. The centre lies on a coarse grid, so that centring loses no more bits than
+ * it must (see roundToCaller).
+ */
 Status findFrame(const CornerCoordinates& coordinates, EmbeddedSurface& surface)
 {
   const int d = coordinates.dimension;
@@ -66,15 +70,21 @@ Status findFrame(const CornerCoordinates& coordinates, EmbeddedSurface& surface)
     }
   }
   double largest = 0.0;
-  surface.center.resize(d);
   for (int k = 0; k < d; ++k)
   {
-    surface.center[k] = 0.5 * lower[k] + 0.5 * upper[k];
     largest = std::max(largest, 0.5 * upper[k] - 0.5 * lower[k]);
   }
   int exponent = 0;
-  std::frexp(largest, &exponent);
+  std::frexp(1.125 * largest, &exponent); // room for half a step of the grid
   surface.unit = std::ldexp(1.0, exponent);
+  surface.center.resize(d);
+  for (int k = 0; k < d; ++k)
+  {
+    const double middle = 0.5 * lower[k] + 0.5 * upper[k];
+    const double steps = middle / surface.unit * 16.0;
+    surface.center[k] =
+      std::abs(steps) < 0x1.0p52 ? std::round(steps) / 16.0 * surface.unit : middle;
+  }
   if (!(largest > 0.0) || !std::isfinite(surface.unit) || largest < 1e-290)
   {
     return Status::invalid("The embedded surface is a single point, or too small or large to "
@@ -162,6 +172,16 @@ void appendCoordinates(
   }
   coordinates.dimension = total;
   coordinates.values = std::move(values);
+}
+
+void roundToCaller(const EmbeddedSurface& surface, Sites& sites)
+{
+  for (std::size_t k = 0; k < sites.coordinates.size(); ++k)
+  {
+    const int component = static_cast<int>(k % static_cast<std::size_t>(sites.dimension));
+    double& x = sites.coordinates[k];
+    x = surface.toScaled(surface.toCaller(x, component), component);
+  }
 }
 
 Status embedSurface(const SurfaceMesh& mesh, const CornerCoordinates& coordinates,

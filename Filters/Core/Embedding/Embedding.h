@@ -43,6 +43,16 @@ void appendCoordinates(
 Status embedSurface(const SurfaceMesh& mesh, const CornerCoordinates& coordinates,
   const RunControl& control, EmbeddedSurface& surface);
 
+/**
+ * Rounds sites to coordinates that `toCaller` and back again, `toScaled`, do not change: the same
+ * sites, to the bit, when the caller gives them back.
+ *
+ * Let x be what y - c is rounded to, for the caller's y and the centre c. If |y| >= |x|, y - c was
+ * exact, as all of it lies on y's grid; else |c| <= 2 |x|, and x + c is exact, as all of it lies on
+ * x's grid. This needs c on a coarser grid than both, which is how embedSurface chooses it.
+ */
+void roundToCaller(const EmbeddedSurface& surface, Sites& sites);
+
 /** Length of the diagonal of the points' bounding box. */
 double boundingBoxDiagonal(const SurfaceMesh& mesh);
 

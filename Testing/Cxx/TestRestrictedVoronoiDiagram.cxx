@@ -1,0 +1,229 @@
+// vtkRestrictedVoronoiDiagram: given sites are kept as they are, and each gets its cell.
+
+#include "TestHelpers.h"
+
+#include "vtkAnisotropicRemesher.h"
+#include "vtkRestrictedVoronoiDiagram.h"
+
+#include "vtkUnstructuredGrid.h"
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+vtkSmartPointer<vtkRestrictedVoronoiDiagram> run(
+  vtkPolyData* surface, vtkDataObject* sites, bool gaussMap = false)
+{
+  auto filter = vtkSmartPointer<vtkRestrictedVoronoiDiagram>::New();
+  filter->SetEmbeddingMode(gaussMap ? vtkRestrictedVoronoiDiagram::GAUSS_MAP
+                                    : vtkRestrictedVoronoiDiagram::POSITION);
+  filter->SetInputData(surface);
+  filter->SetSitesData(sites);
+  filter->Update();
+  return filter;
+}
+
+double valueOf(vtkRestrictedVoronoiDiagram* filter, const char* name, vtkIdType site)
+{
+  return arrayOf(filter->GetSitesOutput()->GetPointData(), name)->GetComponent(site, 0);
+}
+
+/** Facts that hold for any sites. */
+void checkCommon(vtkRestrictedVoronoiDiagram* filter, vtkPolyData* surface, vtkPointSet* given)
+{
+  vtkPolyData* sites = filter->GetSitesOutput();
+  const double area = areaOf(surface);
+  CHECK_EQUAL(sites->GetNumberOfPoints(), given->GetNumberOfPoints());
+  CHECK_NEAR(sumOf(arrayOf(sites->GetPointData(), "CellArea")), area, 1e-12 * area);
+  CHECK_NEAR(areaOf(filter->GetVoronoiCellsOutput()), area, 1e-12 * area);
+  CHECK_NEAR(
+    sumOf(arrayOf(filter->GetOutput()->GetPointData(), "CellArea")), area, 1e-12 * area);
+  std::set<double> nonEmpty;
+  for (vtkIdType i = 0; i < sites->GetNumberOfPoints(); ++i)
+  {
+    CHECK_EQUAL(valueOf(filter, "SiteId", i), static_cast<double>(i));
+    CHECK_EQUAL(valueOf(filter, "MergedSiteId", i), static_cast<double>(i));
+    if (valueOf(filter, "CellArea", i) > 0.0)
+    {
+      nonEmpty.insert(static_cast<double>(i));
+    }
+  }
+  for (vtkPolyData* output : { filter->GetOutput(), filter->GetVoronoiCellsOutput() })
+  {
+    vtkFieldData* data = output == filter->GetOutput()
+      ? static_cast<vtkFieldData*>(output->GetPointData())
+      : static_cast<vtkFieldData*>(output->GetCellData());
+    const auto ids = arrayOf(data, "SiteId");
+    std::set<double> seen;
+    for (vtkIdType k = 0; k < ids->GetNumberOfTuples(); ++k)
+    {
+      seen.insert(ids->GetComponent(k, 0));
+    }
+    CHECK(seen == nonEmpty);
+  }
+  vtkTable* table = filter->GetConvergenceOutput();
+  CHECK_EQUAL(table->GetNumberOfRows(), 1);
+  CHECK_EQUAL(arrayOf(table->GetRowData(), "StepLength")->GetComponent(0, 0), 0.0);
+  CHECK_EQUAL(arrayOf(table->GetRowData(), "Iteration")->GetComponent(0, 0), 0.0);
+  CHECK_EQUAL(filter->GetNumberOfIterations(), 0);
+  CHECK_EQUAL(filter->GetNumberOfEvaluations(), 1);
+}
+
+/** A site in the middle of each face of a cube, in a shuffled order: each face is a cell. */
+void testCubeFaces()
+{
+  const auto surface = polyDataOf(cube());
+  const std::vector<Point3> places = { { 0.5, 0.5, 1 }, { 0, 0.5, 0.5 }, { 0.5, 1, 0.5 },
+    { 0.5, 0.5, 0 }, { 1, 0.5, 0.5 }, { 0.5, 0, 0.5 } };
+  const auto sites = pointsOnly(places);
+  const auto filter = run(surface, sites);
+  checkCommon(filter, surface, sites);
+  CHECK_EQUAL(filter->GetDimension(), 3);
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    CHECK_NEAR(valueOf(filter, "CellArea", i), 1.0, 1e-15);
+    CHECK_NEAR(valueOf(filter, "CellMass", i), 1.0, 1e-15);
+    CHECK_NEAR(valueOf(filter, "CellEnergy", i), 1.0 / 6.0, 1e-15);
+    CHECK_EQUAL(valueOf(filter, "NumberOfNeighbors", i), 4.0);
+    CHECK_NEAR((pointOf(filter->GetSitesOutput(), i) - places[i]).norm(), 0.0, 1e-15);
+  }
+  // The gradient is zero, and the dual an octahedron.
+  const auto gradient = arrayOf(filter->GetConvergenceOutput()->GetRowData(), "GradientNorm");
+  CHECK_NEAR(gradient->GetComponent(0, 0), 0.0, 1e-15);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), 8);
+  CHECK(isClosedManifold(filter->GetOutput()));
+  CHECK_NEAR(volumeOf(filter->GetOutput()), 1.0 / 6.0, 1e-15);
+}
+
+/** With `Embedding` a site is where the array says; without, on the surface. */
+void testEmbeddingOrProjection()
+{
+  const auto surface = polyDataOf(cube());
+  // Two points over the top and bottom, one far beyond a corner.
+  const auto sites = pointsOnly({ { 0.5, 0.5, 9 }, { 0.5, 0.5, -8 }, { 30, 30, 30 } });
+  const auto projected = run(surface, sites);
+  checkCommon(projected, surface, sites);
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    const Point3 expected[3] = { { 0.5, 0.5, 1 }, { 0.5, 0.5, 0 }, { 1, 1, 1 } };
+    Point3 x;
+    arrayOf(projected->GetSitesOutput()->GetPointData(), "Embedding")->GetTuple(i, x.data());
+    CHECK_NEAR((x - expected[i]).norm(), 0.0, 1e-15);
+    CHECK(valueOf(projected, "CellArea", i) > 0.0);
+  }
+
+  // The same points as places in R^3: the bisector of the first two is z = 1/2, the third is empty.
+  addPointArray<vtkDoubleArray>(
+    sites, "Embedding", 3, [](const Point3& p, int c) { return p[c]; });
+  const auto placed = run(surface, sites);
+  checkCommon(placed, surface, sites);
+  CHECK_NEAR(valueOf(placed, "CellArea", 0), 3.0, 1e-14);
+  CHECK_NEAR(valueOf(placed, "CellArea", 1), 3.0, 1e-14);
+  CHECK_EQUAL(valueOf(placed, "CellArea", 2), 0.0);
+  CHECK_EQUAL(valueOf(placed, "CellMass", 2), 0.0);
+  CHECK_EQUAL(valueOf(placed, "CellEnergy", 2), 0.0);
+  CHECK_EQUAL(valueOf(placed, "NumberOfNeighbors", 2), 0.0);
+  CHECK_EQUAL(valueOf(placed, "NumberOfNeighbors", 0), 1.0);
+  CHECK_EQUAL(pointOf(placed->GetSitesOutput(), 2), Point3(30, 30, 30));
+  Point3 centroid;
+  arrayOf(placed->GetSitesOutput()->GetPointData(), "Centroid")->GetTuple(2, centroid.data());
+  CHECK_NEAR((centroid - Point3(30, 30, 30)).norm(), 0.0, 1e-13);
+  CHECK_EQUAL(placed->GetOutput()->GetNumberOfPoints(), 2);
+  // int |x - (1/2, 1/2, 9)|^2 over the upper half of the cube: top, and four sides.
+  const double top = 64.0 + 1.0 / 6.0;
+  const double side = 0.5 * (0.25 + 1.0 / 12.0) + (std::pow(8.5, 3) - 512.0) / 3.0;
+  CHECK_NEAR(valueOf(placed, "CellEnergy", 0), top + 4.0 * side, 1e-11);
+
+  // An array of another size is not these sites' embedding: projected again.
+  const auto inSpace = run(surface, sites, true);
+  CHECK_EQUAL(inSpace->GetDimension(), 6);
+  CHECK(valueOf(inSpace, "CellArea", 2) > 0.0);
+}
+
+/** Equal sites: the lower id wins. One site: all is its cell. */
+void testFewSites()
+{
+  const auto surface = polyDataOf(cube());
+  const auto twice = pointsOnly({ { 0, 0, 0 }, { 1, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } });
+  const auto filter = run(surface, twice);
+  checkCommon(filter, surface, twice);
+  CHECK_NEAR(valueOf(filter, "CellArea", 0), 3.0, 1e-14);
+  CHECK_NEAR(valueOf(filter, "CellArea", 1), 3.0, 1e-14);
+  CHECK_EQUAL(valueOf(filter, "CellArea", 2), 0.0);
+  CHECK_EQUAL(valueOf(filter, "CellArea", 3), 0.0);
+
+  const auto one = pointsOnly({ { 0.2, 0.3, 0 } });
+  const auto whole = run(surface, one);
+  checkCommon(whole, surface, one);
+  CHECK_EQUAL(whole->GetOutput()->GetNumberOfPoints(), 1);
+  CHECK_EQUAL(whole->GetOutput()->GetNumberOfCells(), 0);
+  CHECK_EQUAL(whole->GetEdgesOutput()->GetNumberOfCells(), 0);
+  CHECK_EQUAL(valueOf(whole, "NumberOfNeighbors", 0), 0.0);
+  CHECK_EQUAL(whole->GetVoronoiCellsOutput()->GetNumberOfCells(), 12);
+}
+
+/** Any vtkPointSet gives sites, and its cells do not matter. */
+void testKindsOfSites()
+{
+  const auto surface = polyDataOf(icosphere(2));
+  const auto points = polyDataOf(icosphere(0));
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points->GetPoints());
+  const auto fromMesh = run(surface, points, true);
+  const auto fromGrid = run(surface, grid, true);
+  checkCommon(fromMesh, surface, points);
+  checkSame(contentsOf(fromGrid), contentsOf(fromMesh), "sites of another type");
+  // The dual of the icosahedron's corners on a finer sphere is the icosahedron.
+  CHECK_EQUAL(fromMesh->GetOutput()->GetNumberOfPolys(), 20);
+  CHECK(isClosedManifold(fromMesh->GetOutput()));
+  for (vtkIdType i = 0; i < 12; ++i)
+  {
+    CHECK_EQUAL(valueOf(fromMesh, "NumberOfNeighbors", i), 5.0);
+  }
+}
+
+/** The remesher's sites give the remesher's diagram, to the byte. */
+void testRoundTrip(const TriangleSoup& soup, double anisotropy, const char* where)
+{
+  const auto surface = polyDataOf(soup);
+  vtkNew<vtkAnisotropicRemesher> remesher;
+  remesher->SetInputData(surface);
+  remesher->SetAnisotropy(anisotropy);
+  remesher->SetNumberOfPoints(250);
+  remesher->SetNumberOfLloydIterations(5);
+  vtkNew<vtkRestrictedVoronoiDiagram> diagram;
+  diagram->SetInputData(surface);
+  diagram->SetAnisotropy(anisotropy);
+  diagram->SetSitesConnection(remesher->GetOutputPort(vtkAnisotropicRemesher::SITES));
+  diagram->Update();
+  checkCommon(diagram, surface, remesher->GetSitesOutput());
+  const std::vector<Content> expected = contentsOf(remesher);
+  const std::vector<Content> contents = contentsOf(diagram);
+  for (const int port : { vtkAnisotropicRemesher::SURFACE, vtkAnisotropicRemesher::VORONOI_CELLS,
+         vtkAnisotropicRemesher::SITES, vtkAnisotropicRemesher::EDGES })
+  {
+    checkSame(contents[port], expected[port], where + std::string(", port ") +
+        std::to_string(port));
+  }
+}
+}
+
+int TestRestrictedVoronoiDiagram(int, char*[])
+{
+  testCubeFaces();
+  testEmbeddingOrProjection();
+  testFewSites();
+  testKindsOfSites();
+  testRoundTrip(icosphere(3), 0.04, "sphere at the origin");
+  testRoundTrip(ellipsoid(3), 0.04, "ellipsoid elsewhere");
+  testRoundTrip(ellipsoid(3), 0.0, "ellipsoid in R^3");
+  testRoundTrip(torus(1.0, 0.3, 60, 30), 0.1, "torus");
+  TriangleSoup far = torus(1.0, 0.3, 60, 30);
+  for (Point3& point : far.points)
+  {
+    point += Point3(0.26, 1e-3, 100.0);
+  }
+  testRoundTrip(far, 0.1, "torus far away");
+  return result();
+}
