@@ -36,7 +36,9 @@ Status integrateAndFill(RestrictedVoronoi& voronoi, const EmbeddedSurface& surfa
 {
   for (int round = 0;; ++round)
   {
-    if (Status status = voronoi.integrate(sites, control, sums); !status.ok())
+    // Further rounds are rare and must not let the progress fall.
+    if (Status status = voronoi.integrate(sites, round == 0 ? control : control.silent(), sums);
+        !status.ok())
     {
       return status;
     }

@@ -64,7 +64,8 @@ public:
     RunControl inner = *this;
     const double width = (m_end - m_begin) / std::max(count, 1);
     inner.m_begin = m_begin + index * width;
-    inner.m_end = inner.m_begin + width;
+    // The next step's beginning, bit by bit, and never beyond the phase: reports must not fall.
+    inner.m_end = index + 1 < count ? m_begin + (index + 1) * width : m_end;
     return inner;
   }
 
@@ -81,7 +82,8 @@ public:
   {
     if (m_report)
     {
-      m_report(m_begin + std::clamp(fraction, 0.0, 1.0) * (m_end - m_begin), m_phase);
+      const double reached = m_begin + std::clamp(fraction, 0.0, 1.0) * (m_end - m_begin);
+      m_report(std::min(reached, m_end), m_phase);
     }
   }
 
