@@ -3,6 +3,7 @@
 #include "Mesh/EdgeTable.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace remesh
 {
@@ -33,26 +34,8 @@ std::vector<Triple> collectTriangles(const Diagram& diagram, const Components& c
   return triangles;
 }
 
-/** The triangles without those marked. */
-void removeMarked(std::vector<Triple>& triangles, const std::vector<char>& marked)
-{
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (!marked[t])
-    {
-      triangles[kept++] = triangles[t];
-    }
-  }
-  triangles.resize(kept);
-}
-
-/**
- * Keeps the first of the triangles on the same three vertices.
- *
- * @param repeated for each triangle that is kept, how many others went.
- */
-void removeRepeated(std::vector<Triple>& triangles, std::vector<Index>& repeated)
+/** Keeps the first of the triangles on the same three vertices; returns how many went. */
+Offset removeRepeated(std::vector<Triple>& triangles)
 {
   struct Key
   {
@@ -71,53 +54,22 @@ void removeRepeated(std::vector<Triple>& triangles, std::vector<Index>& repeated
     std::sort(keys[t].sorted.begin(), keys[t].sorted.end());
   }
   std::sort(keys.begin(), keys.end());
-  std::vector<char> marked(triangles.size(), 0);
-  std::vector<Index> copies(triangles.size(), 0);
-  for (std::size_t k = 1, first = 0; k < keys.size(); ++k)
+  std::vector<char> repeated(triangles.size(), 0);
+  for (std::size_t k = 1; k < keys.size(); ++k)
   {
-    if (keys[k].sorted == keys[first].sorted)
-    {
-      marked[keys[k].position] = 1;
-      ++copies[keys[first].position];
-    }
-    else
-    {
-      first = k;
-    }
+    repeated[keys[k].position] = keys[k].sorted == keys[k - 1].sorted;
   }
-  repeated.clear();
+  std::size_t kept = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    if (!marked[t])
+    if (!repeated[t])
     {
-      repeated.push_back(copies[t]);
+      triangles[kept++] = triangles[t];
     }
   }
-  removeMarked(triangles, marked);
-}
-
-/**
- * Removes triangles that hang by one edge: where a cell has two neighbours only, as at the tip of a
- * spike, its two points of three cells give the same triangle, seen from both sides.
- */
-void removeHanging(std::vector<Triple>& triangles, const std::vector<Index>& repeated, Index count)
-{
-  std::vector<Index> uses(static_cast<std::size_t>(count), 0);
-  for (const Triple& triangle : triangles)
-  {
-    for (const Index vertex : triangle)
-    {
-      ++uses[vertex];
-    }
-  }
-  std::vector<char> marked(triangles.size(), 0);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    marked[t] = repeated[t] == 1 &&
-      std::any_of(triangles[t].begin(), triangles[t].end(),
-        [&](Index vertex) { return uses[vertex] == 1; });
-  }
-  removeMarked(triangles, marked);
+  const auto removed = static_cast<Offset>(triangles.size() - kept);
+  triangles.resize(kept);
+  return removed;
 }
 }
 
@@ -125,11 +77,7 @@ Dual buildDual(const Diagram& diagram, const Components& components)
 {
   Dual dual;
   dual.triangles = collectTriangles(diagram, components);
-  const std::size_t all = dual.triangles.size();
-  std::vector<Index> repeated;
-  removeRepeated(dual.triangles, repeated);
-  removeHanging(dual.triangles, repeated, components.count());
-  dual.repeated = static_cast<Offset>(all - dual.triangles.size());
+  dual.repeated = removeRepeated(dual.triangles);
 
   const EdgeTable edges = buildEdgeTable(dual.triangles);
   std::vector<char> used(static_cast<std::size_t>(components.count()), 0);

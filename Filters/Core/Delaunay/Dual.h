@@ -12,15 +12,14 @@ namespace remesh
 struct Dual
 {
   std::vector<Triple> triangles; ///< components, oriented like the facet they come from
-  Offset repeated = 0;           ///< points of three cells without a triangle of their own
+  Offset repeated = 0;           ///< points of three cells whose triangle was there already
 
   Offset numberOfNonManifoldEdges = 0; ///< edges of more than two triangles
   Offset eulerCharacteristic = 0;      ///< used vertices - edges + triangles
 };
 
 /**
- * A triangle for each point where three cells meet, by facet, each set of three components once; a
- * component with two neighbours only, whose triangle would come from both sides, has none.
+ * A triangle for each point where three cells meet, by facet, each set of three components once.
  * O(P log P).
  */
 Dual buildDual(const Diagram& diagram, const Components& components);
