@@ -227,7 +227,7 @@ void testEvaluationsInSequence()
   }
 }
 
-/** Small moves, where neighbour lists may be kept: the cells are those of the sites all the same. */
+/** Small moves, where neighbour lists may be kept: the cells are those of the sites alone. */
 void testCreepingSites()
 {
   const SurfaceMesh mesh = test::meshOf(test::icosphere(2));

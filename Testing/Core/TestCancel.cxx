@@ -1,0 +1,145 @@
+// Remesh: a run stops soon after it is told to; progress only grows, and only the caller reports.
+
+#include "Remesh.h"
+#include "TestEmbeddings.h"
+
+#include <atomic>
+#include <thread>
+
+using namespace remesh;
+
+namespace
+{
+/** Sees to it that reports keep their promises. */
+struct Listener
+{
+  std::thread::id caller = std::this_thread::get_id();
+  double last = 0.0;
+  int reports = 0;
+  int falls = 0;
+  int outside = 0;
+  int strangers = 0;
+  std::vector<std::string> phases;
+
+  void hear(double fraction, const char* phase)
+  {
+    ++this->reports;
+    this->falls += fraction < this->last;
+    this->outside += !(fraction >= 0.0 && fraction <= 1.0);
+    this->strangers += std::this_thread::get_id() != this->caller;
+    this->last = fraction;
+    if (this->phases.empty() || this->phases.back() != phase)
+    {
+      this->phases.emplace_back(phase);
+    }
+  }
+
+  void check() const
+  {
+    CHECK(this->reports > 0);
+    CHECK_EQUAL(this->falls, 0);
+    CHECK_EQUAL(this->outside, 0);
+    CHECK_EQUAL(this->strangers, 0);
+  }
+};
+
+RemeshOptions shortRun()
+{
+  RemeshOptions options;
+  options.numberOfSites = 150;
+  options.lloydIterations = 2;
+  options.quasiNewton.iterations = 3;
+  return options;
+}
+
+/** A run that is told to stop when it asks for the k-th time; returns how often it asked. */
+int runUntil(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
+  Schedule schedule, int k, StatusCode expected)
+{
+  Listener listener;
+  std::atomic<int> asked(0);
+  RunControl control([&](double fraction, const char* phase) { listener.hear(fraction, phase); },
+    [&]() { return ++asked >= k; });
+  control.schedule = schedule;
+  RemeshResult result;
+  const Status status = remesh::remesh(mesh, surface, options, control, result);
+  CHECK(status.code == expected);
+  CHECK_EQUAL(status.message.empty(), status.ok());
+  listener.check();
+  if (status.ok())
+  {
+    CHECK_EQUAL(listener.last, 1.0);
+    CHECK_EQUAL(listener.phases.size(), std::size_t(5));
+  }
+  return asked;
+}
+
+/** Whenever it is told so, and without asking on and on. */
+void testCancel()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.4, 20, 12));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  for (const Schedule schedule :
+    { Schedule::Smp, Schedule::ShuffledBlocks, Schedule::EightThreads })
+  {
+    const int never = 1000000;
+    const int all = runUntil(mesh, surface, shortRun(), schedule, never, StatusCode::Ok);
+    CHECK(all > 100);
+    for (int k = 1; k <= all; k += 1 + all / 11)
+    {
+      const int asked = runUntil(mesh, surface, shortRun(), schedule, k, StatusCode::Cancelled);
+      CHECK(asked < k + 32); // loops that end before their first block
+    }
+    runUntil(mesh, surface, shortRun(), schedule, all, StatusCode::Cancelled);
+  }
+}
+
+/** Told from outside by another thread, as a user does. */
+void testCancelFromOutside()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  RemeshOptions options;
+  options.numberOfSites = 3000;
+  options.lloydIterations = 100000;
+  std::atomic<bool> stop(false);
+  std::atomic<bool> running(false);
+  std::thread user(
+    [&]()
+    {
+      while (!running)
+      {
+        std::this_thread::yield();
+      }
+      stop = true;
+    });
+  const RunControl control(
+    [&](double, const char* phase) { running = running || std::string(phase) != "Sampling"; },
+    [&]() { return stop.load(); });
+  RemeshResult result;
+  CHECK(remesh::remesh(mesh, surface, options, control, result).code == StatusCode::Cancelled);
+  user.join();
+}
+
+/** Empty cells cost further diagrams within a step: progress must not go back. */
+void testProgressWithEmptyCells()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.4, 20, 12));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  RemeshOptions options = shortRun();
+  options.initialSites = test::sampled(surface, 200, 1);
+  for (Index site = 1; site < options.initialSites.count(); ++site)
+  {
+    std::copy_n(options.initialSites.site(0), 6, options.initialSites.site(site));
+  }
+  runUntil(mesh, surface, options, Schedule::Smp, 1000000, StatusCode::Ok);
+}
+}
+
+int TestCancel(int, char*[])
+{
+  testCancel();
+  testCancelFromOutside();
+  testProgressWithEmptyCells();
+  return test::result();
+}

@@ -1,0 +1,193 @@
+// Remesh: the same bytes whatever runs the blocks, in whatever order, and again.
+
+#include "Remesh.h"
+#include "TestEmbeddings.h"
+
+#include "vtkSMPTools.h"
+
+#include <string>
+
+using namespace remesh;
+
+namespace
+{
+/** The bytes of a result, value by value (structures have padding). */
+class Bytes
+{
+public:
+  template <class T>
+  void add(const T& value)
+  {
+    static_assert(std::is_arithmetic_v<T>);
+    m_bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+
+  template <class T, std::size_t N>
+  void add(const T (&values)[N])
+  {
+    for (const T& value : values)
+    {
+      this->add(value);
+    }
+  }
+
+  template <class T, std::size_t N>
+  void add(const std::array<T, N>& values)
+  {
+    for (const T& value : values)
+    {
+      this->add(value);
+    }
+  }
+
+  void add(const Point3& point)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->add(point[k]);
+    }
+  }
+
+  void add(const PieceIntegral& integral)
+  {
+    this->add(integral.fraction);
+    this->add(integral.weights);
+    this->add(integral.energy);
+  }
+
+  void add(const DiagramVertex& vertex)
+  {
+    this->add(vertex.b);
+    this->add(vertex.across);
+  }
+
+  void add(const SurfaceLocation& location)
+  {
+    this->add(location.facet);
+    this->add(location.b);
+  }
+
+  void add(const ConvergenceRow& row)
+  {
+    this->add(row.iteration);
+    this->add(row.energy);
+    this->add(row.gradientNorm);
+    this->add(row.stepLength); // and not the time
+  }
+
+  template <class T>
+  void add(const std::vector<T>& values)
+  {
+    this->add(values.size());
+    for (const T& value : values)
+    {
+      this->add(value);
+    }
+  }
+
+  template <class... Parts>
+  void addAll(const Parts&... parts)
+  {
+    (this->add(parts), ...);
+  }
+
+  const std::string& string() const { return m_bytes; }
+
+private:
+  std::string m_bytes;
+};
+
+std::string bytesOf(const RemeshResult& result)
+{
+  Bytes bytes;
+  bytes.addAll(result.sites.coordinates, result.emptyCells, result.evaluations);
+  const CellSums& sums = result.sums;
+  bytes.addAll(
+    sums.mass, sums.area, sums.energy, sums.moment, sums.totalEnergy, sums.gradientNorm);
+  const Diagram& diagram = result.diagram;
+  bytes.addAll(diagram.facetBegin, diagram.sites, diagram.facets, diagram.integrals,
+    diagram.vertexBegin, diagram.vertices);
+  const Components& components = result.components;
+  bytes.addAll(components.ofPiece, components.sites, components.ranks, components.pieceBegin,
+    components.pieces, components.mass, components.area, components.energy, components.centroids);
+  bytes.addAll(result.locations, result.dual.triangles, result.dual.repeated,
+    result.dual.numberOfNonManifoldEdges, result.dual.eulerCharacteristic,
+    result.numbersOfNeighbors, result.convergence.rows);
+  return bytes.string();
+}
+
+std::string run(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, Schedule schedule)
+{
+  RunControl control;
+  control.schedule = schedule;
+  RemeshResult result;
+  CHECK(remesh::remesh(mesh, surface, options, control, result).ok());
+  CHECK_EQUAL(result.sites.count(), Index(options.numberOfSites));
+  return bytesOf(result);
+}
+
+/** The product with each back-end that this VTK has, and the two schedules that disturb it. */
+void checkCase(
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options)
+{
+  const std::string expected = run(mesh, surface, options, Schedule::Smp);
+  CHECK(run(mesh, surface, options, Schedule::Smp) == expected);
+  CHECK(run(mesh, surface, options, Schedule::ShuffledBlocks) == expected);
+  CHECK(run(mesh, surface, options, Schedule::EightThreads) == expected);
+  const std::string backend = vtkSMPTools::GetBackend();
+  for (const char* name : { "Sequential", "STDThread", "TBB" })
+  {
+    if (vtkSMPTools::SetBackend(name))
+    {
+      CHECK(run(mesh, surface, options, Schedule::Smp) == expected);
+    }
+  }
+  vtkSMPTools::SetBackend(backend.c_str());
+  RemeshOptions other = options;
+  other.seed = options.seed + 1;
+  CHECK(run(mesh, surface, other, Schedule::Smp) != expected);
+}
+
+/** The embedding itself runs in blocks, too. */
+void testEmbedding(const SurfaceMesh& mesh)
+{
+  std::string expected;
+  for (const Schedule schedule :
+    { Schedule::Smp, Schedule::ShuffledBlocks, Schedule::EightThreads })
+  {
+    RunControl control;
+    control.schedule = schedule;
+    EmbeddedSurface surface;
+    CHECK(embedSurface(mesh, positionCoordinates(mesh), control, surface).ok());
+    Bytes bytes;
+    bytes.addAll(surface.corners, surface.center, surface.unit, surface.mass);
+    for (const FacetConstants& constants : surface.constants)
+    {
+      bytes.addAll(constants.mass, constants.area, constants.radius, constants.edge2);
+    }
+    expected = expected.empty() ? bytes.string() : expected;
+    CHECK(bytes.string() == expected);
+  }
+}
+}
+
+int TestReproducibility(int, char*[])
+{
+  const SurfaceMesh fine = test::meshOf(test::torus(1.0, 0.4, 30, 18));
+  const SurfaceMesh coarse = test::meshOf(test::cube());
+  testEmbedding(fine);
+  for (const int d : { 3, 6 })
+  {
+    RemeshOptions options;
+    options.seed = 5;
+    options.lloydIterations = 2;
+    options.quasiNewton.iterations = 4;
+    options.numberOfSites = 400; // more blocks than are run at once
+    checkCase(fine, test::embedded(fine, d), options);
+    options.sampling = SamplingMethod::Random;
+    options.numberOfSites = 150;
+    checkCase(coarse, test::embedded(coarse, d), options);
+  }
+  return test::result();
+}
