@@ -2,6 +2,9 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <thread>
+
 namespace remesh
 {
 namespace
@@ -33,6 +36,12 @@ Execution chooseExecution(const std::string& backend, int threads, bool& availab
 
 void runInScope(Execution& execution, const std::function<void()>& work)
 {
+  if (execution.backend == "TBB")
+  {
+    // TBB warns on the terminal when it is asked for more threads than the machine has.
+    const int available = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    execution.threads = std::min(execution.threads, available);
+  }
   vtkSMPTools::LocalScope(
     vtkSMPTools::Config{ execution.threads, execution.backend, false },
     [&]()

@@ -50,7 +50,8 @@ struct EntriesOfSites
 };
 }
 
-BlockAccumulator::BlockAccumulator(const EmbeddedSurface& surface, const Sites& sites)
+template <int D>
+BlockAccumulator<D>::BlockAccumulator(const EmbeddedSurface& surface, const Sites& sites)
   : m_surface(surface)
   , m_sites(sites)
   , m_slotOfSite(static_cast<std::size_t>(sites.count()))
@@ -58,13 +59,15 @@ BlockAccumulator::BlockAccumulator(const EmbeddedSurface& surface, const Sites& 
 {
 }
 
-void BlockAccumulator::begin(BlockSums& sums)
+template <int D>
+void BlockAccumulator<D>::begin(BlockSums& sums)
 {
   m_sums = &sums;
   ++m_block;
 }
 
-double* BlockAccumulator::valuesOf(Index site)
+template <int D>
+double* BlockAccumulator<D>::valuesOf(Index site)
 {
   const std::size_t stride = scalars + static_cast<std::size_t>(m_surface.dimension);
   if (m_blockOfSlot[site] != m_block)
@@ -77,9 +80,10 @@ double* BlockAccumulator::valuesOf(Index site)
   return m_sums->values.data() + static_cast<std::size_t>(m_slotOfSite[site]) * stride;
 }
 
-void BlockAccumulator::add(Index facet, Index site, const PieceIntegral& piece)
+template <int D>
+void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piece)
 {
-  const int d = m_surface.dimension;
+  const int d = this->dimension();
   const FacetConstants& constants = m_surface.constants[facet];
   double* values = this->valuesOf(site);
   values[0] += piece.fraction * constants.mass;
@@ -99,6 +103,36 @@ void BlockAccumulator::add(Index facet, Index site, const PieceIntegral& piece)
     moment[k] += w0 * (p0[k] - x[k]) + w1 * (p1[k] - x[k]) + w2 * (p2[k] - x[k]);
   }
 }
+
+template <int D>
+void BlockAccumulator<D>::addWholeFacet(Index facet, Index site)
+{
+  const int d = this->dimension();
+  const FacetConstants& constants = m_surface.constants[facet];
+  const Triple& corners = m_surface.facetCorners[facet];
+  const double* p0 = m_surface.corner(corners[0]);
+  const double* p1 = m_surface.corner(corners[1]);
+  const double* p2 = m_surface.corner(corners[2]);
+  const double* x = m_sites.site(site);
+  double* values = this->valuesOf(site);
+  double* moment = values + scalars;
+  double squared = 0.0;
+  for (int k = 0; k < d; ++k)
+  {
+    const double offset = (p0[k] + p1[k] + p2[k]) * (1.0 / 3.0) - x[k];
+    moment[k] += constants.mass * offset;
+    squared += offset * offset;
+  }
+  const double* e = constants.edge2;
+  values[0] += constants.mass;
+  values[1] += constants.area;
+  values[2] += constants.mass * (squared + (e[0] + e[1] + e[2]) / 36.0);
+}
+
+template class BlockAccumulator<3>;
+template class BlockAccumulator<6>;
+template class BlockAccumulator<8>;
+template class BlockAccumulator<Eigen::Dynamic>;
 
 Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, int dimension,
   const RunControl& control, CellSums& sums)

@@ -35,7 +35,8 @@ struct BlockSums
   std::vector<double> values; ///< per site: mass, area, energy, then d of moment
 };
 
-/** Collects the sums of one block after the other; one per thread. */
+/** Collects the sums of one block after the other; one per thread. D: see dispatchDimension. */
+template <int D>
 class BlockAccumulator
 {
 public:
@@ -44,7 +45,11 @@ public:
   void begin(BlockSums& sums);
   void add(Index facet, Index site, const PieceIntegral& piece);
 
+  /** The whole facet, in one cell: its centroid and second moment say all. */
+  void addWholeFacet(Index facet, Index site);
+
 private:
+  int dimension() const { return D == Eigen::Dynamic ? m_surface.dimension : D; }
   double* valuesOf(Index site);
 
   const EmbeddedSurface& m_surface;
@@ -54,6 +59,11 @@ private:
   std::vector<Index> m_blockOfSlot; ///< n
   Index m_block = 0;                ///< counts the calls of begin()
 };
+
+extern template class BlockAccumulator<3>;
+extern template class BlockAccumulator<6>;
+extern template class BlockAccumulator<8>;
+extern template class BlockAccumulator<Eigen::Dynamic>;
 
 /** Adds the blocks up, parallel over sites. O(entries d). */
 Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, int dimension,

@@ -171,7 +171,7 @@ void FacetDecomposition<D>::clipWithNeighbors(Index facet, FacetPiece& piece)
 }
 
 template <int D>
-void FacetDecomposition<D>::cut(Index facet)
+void FacetDecomposition<D>::gather(Index facet)
 {
   m_tiling.begin(m_surface.facetCorners[facet], m_surface.constants[facet]);
   ++m_cut;
@@ -181,12 +181,17 @@ void FacetDecomposition<D>::cut(Index facet)
   {
     this->enqueue(this->slotOf(facet, m_owners[corner]));
   }
-  const bool haveCandidates = m_used == 1 || this->gatherCandidates(facet);
+  m_complete = m_used == 1 || this->gatherCandidates(facet);
+}
+
+template <int D>
+void FacetDecomposition<D>::tile(Index facet)
+{
   for (std::size_t next = 0; next < m_used; ++next)
   {
     FacetPiece& piece = m_pieces[next];
     m_tiling.wholeFacet(piece.polygon);
-    if (haveCandidates)
+    if (m_complete)
     {
       if (m_used > 1)
       {

@@ -4,12 +4,13 @@
  *
  * 1. The owners of the corners are known. One owner for all three: the facet lies wholly in that
  *    (convex) cell.
- * 2. Otherwise each piece starts as the facet and is clipped; the bisectors that bound it name the
- *    next pieces ([Levy12] 4.2, the propagation over the cell graph, inside one facet).
- * 3. What a piece is clipped with: where the facet is small against the cells, the few sites with
- *    |c - x_j| <= |c - x_o| + 2 rho (c, rho: the facet's centre and radius, o: an owner), gathered
- *    once for the facet; else the neighbours of its site by increasing distance, until the radius
- *    of security ([Levy12] Algorithm 2).
+ * 2. Otherwise, where the facet is small against the cells, the few sites that may have a piece are
+ *    gathered: |c - x_j| <= |c - x_o| + 2 rho (c, rho: the facet's centre and radius, o: an owner),
+ *    and better than each owner at some corner.
+ * 3. Each piece starts as the facet and is clipped, with those sites, or, where they are too many,
+ *    with the neighbours of its site by increasing distance, until the radius of security ([Levy12]
+ *    Algorithm 2). The bisectors that bound a piece name the next ones ([Levy12] 4.2, the
+ *    propagation over the cell graph, inside one facet).
  *
  * The result is exact either way. Cost: O(k) distances in R^d for k sites near the facet.
  */
@@ -39,8 +40,17 @@ public:
   /** Forgets longer lists; call between blocks to bound the memory. */
   void beginBlock() { m_longer.clear(); }
 
-  /** Cuts a facet; `pieces` and `tiling` then hold the result, until the next call. */
-  void cut(Index facet);
+  /**
+   * Steps 1 and 2: the sites that may have a piece. `tile` must follow on the same facet, unless
+   * `twoSites` says that the sums can do without polygons.
+   */
+  void gather(Index facet);
+
+  /** Step 3: cuts the facet; the pieces and `tiling` then hold the result until the next facet. */
+  void tile(Index facet);
+
+  /** Whether the facet is shared by just two cells, the owners of its corners. */
+  bool twoSites() const { return m_complete && m_used == 2 && m_tiling.numberOfSites() == 2; }
 
   /** Pieces by increasing site id. */
   const FacetPiece* begin() const { return m_pieces.data(); }
@@ -69,10 +79,11 @@ private:
 
   std::vector<FacetPiece> m_pieces; ///< the first m_used are this facet's; the rest is capacity
   std::size_t m_used = 0;
+  bool m_complete = false;          ///< whether the slots hold all sites that matter
   std::vector<char> m_queued;       ///< per slot
   std::vector<Index> m_slotOfSite;  ///< per site, valid where m_cutOfSlot is this cut
   std::vector<Index> m_cutOfSlot;   ///< per site
-  Index m_cut = 0;                  ///< counts the calls of cut()
+  Index m_cut = 0;                  ///< counts the calls of gather()
   std::vector<double> m_center;     ///< d
 };
 

@@ -89,8 +89,25 @@ template <int D>
 struct BlockScratch
 {
   FacetDecomposition<D> decomposition;
-  BlockAccumulator accumulator;
+  BlockAccumulator<D> accumulator;
 };
+
+/** Adds a facet that two cells share, without making polygons. */
+template <int D>
+void addTwoPieces(Index facet, const FacetConstants& constants, const Triple& corners,
+  const std::vector<Index>& owners, BlockScratch<D>& scratch)
+{
+  const FacetTiling& tiling = scratch.decomposition.tiling();
+  int k = 0; // the corner that one cell owns alone
+  while (owners[corners[(k + 1) % 3]] != owners[corners[(k + 2) % 3]])
+  {
+    ++k;
+  }
+  const int single = tiling.site(0).id == owners[corners[k]] ? 0 : 1;
+  const auto pieces = integrateTwoPieces(tiling, constants, single, k);
+  scratch.accumulator.add(facet, tiling.site(single).id, pieces[0]);
+  scratch.accumulator.add(facet, tiling.site(1 - single).id, pieces[1]);
+}
 
 /** Cuts the facets [begin, end) and hands each piece to the sums and, if wanted, the pieces. */
 template <int D>
@@ -108,11 +125,16 @@ void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
     const bool whole = owner == owners[corners[1]] && owner == owners[corners[2]];
     if (whole && !pieces)
     {
-      const FacetSite seen = decomposition.see(facet, owner);
-      scratch.accumulator.add(facet, owner, integrateWholeFacet(constants, seen.h));
+      scratch.accumulator.addWholeFacet(facet, owner);
       continue;
     }
-    decomposition.cut(facet);
+    decomposition.gather(facet);
+    if (decomposition.twoSites() && !pieces)
+    {
+      addTwoPieces(facet, constants, corners, owners, scratch);
+      continue;
+    }
+    decomposition.tile(facet);
     const FacetTiling& tiling = decomposition.tiling();
     for (const FacetPiece& piece : decomposition)
     {
@@ -161,7 +183,7 @@ Status RestrictedVoronoi::evaluate(
     {
       return std::unique_ptr<BlockScratch<D>>(new BlockScratch<D>{
         FacetDecomposition<D>(m_surface, sites, m_lists, m_owners),
-        BlockAccumulator(m_surface, sites) });
+        BlockAccumulator<D>(m_surface, sites) });
     });
   const bool done = forEachBlock(blocks.count(), control.step(2, 4),
     [&](Offset block)
