@@ -107,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Threads to use, 0 to 1024; default 0: as many as the back-end offers. The output does not
-   * depend on it.
+   * Threads to use, 0 to 1024, at most as many as there are processors; default 0: as many as the
+   * back-end offers. The output does not depend on it.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);

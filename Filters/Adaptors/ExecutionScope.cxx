@@ -36,12 +36,10 @@ Execution chooseExecution(const std::string& backend, int threads, bool& availab
 
 void runInScope(Execution& execution, const std::function<void()>& work)
 {
-  if (execution.backend == "TBB")
-  {
-    // TBB warns on the terminal when it is asked for more threads than the machine has.
-    const int available = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    execution.threads = std::min(execution.threads, available);
-  }
+  // More threads than processors gain nothing, and make TBB, which is set up with any back-end,
+  // warn on the terminal.
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  execution.threads = std::min(execution.threads, processors);
   vtkSMPTools::LocalScope(
     vtkSMPTools::Config{ execution.threads, execution.backend, false },
     [&]()
