@@ -6,7 +6,7 @@
 #include "vtkGaussMapEmbedding.h"
 #include "vtkRestrictedVoronoiDiagram.h"
 
-#include "vtkIntArray.h"
+#include "vtkStringArray.h"
 
 #include <functional>
 #include <limits>

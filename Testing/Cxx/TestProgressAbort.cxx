@@ -1,6 +1,6 @@
 // Progress rises from 0 to 1; an abort is heard soon, and leaves nothing behind.
 
-#include "TestHelpers.h"
+#include "TestBytes.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"

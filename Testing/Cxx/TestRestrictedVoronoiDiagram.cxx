@@ -1,6 +1,7 @@
 // vtkRestrictedVoronoiDiagram: given sites are kept as they are, and each gets its cell.
 
-#include "TestHelpers.h"
+#include "TestBytes.h"
+#include "TestMeasures.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkRestrictedVoronoiDiagram.h"
