@@ -1,0 +1,150 @@
+// The whole filter on small, nasty surfaces: valid outputs, or one error in words.
+
+#include "FuzzSupport.h"
+
+#include "vtkAnisotropicRemesher.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+using Algorithm = vtkAnisotropicRemesher;
+
+void collect(vtkObject* object, unsigned long event, std::vector<std::string>& texts)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&texts);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* list, void* text)
+    {
+      static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text));
+    });
+  object->AddObserver(event, command);
+}
+
+double sumOf(vtkPointData* data, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  FUZZ_CHECK(array != nullptr);
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    FUZZ_CHECK(array->GetComponent(i, 0) >= 0.0);
+    sum += array->GetComponent(i, 0);
+  }
+  return sum;
+}
+
+/** All finite, all ids in range. */
+void checkPolyData(vtkPolyData* data)
+{
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    data->GetPoint(i, p);
+    FUZZ_CHECK(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+  }
+  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines(), data->GetPolys() })
+  {
+    vtkDataArray* ids = cells->GetConnectivityArray();
+    for (vtkIdType k = 0; k < ids->GetNumberOfTuples(); ++k)
+    {
+      FUZZ_CHECK(
+        ids->GetComponent(k, 0) >= 0 && ids->GetComponent(k, 0) < data->GetNumberOfPoints());
+    }
+  }
+  for (vtkFieldData* arrays :
+    { static_cast<vtkFieldData*>(data->GetPointData()),
+      static_cast<vtkFieldData*>(data->GetCellData()) })
+  {
+    for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* array = arrays->GetArray(k);
+      for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        {
+          FUZZ_CHECK(std::isfinite(array->GetComponent(i, c)));
+        }
+      }
+    }
+  }
+}
+
+void checkOutputs(vtkAnisotropicRemesher* filter, vtkIdType sites)
+{
+  for (const int port :
+    { Algorithm::SURFACE, Algorithm::VORONOI_CELLS, Algorithm::SITES, Algorithm::EDGES })
+  {
+    checkPolyData(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port)));
+  }
+  FUZZ_CHECK(filter->GetSitesOutput()->GetNumberOfPoints() == sites);
+  for (const char* name : { "CellArea", "CellMass", "CellEnergy" })
+  {
+    const double total = sumOf(filter->GetSitesOutput()->GetPointData(), name);
+    const double overMesh = sumOf(filter->GetOutput()->GetPointData(), name);
+    FUZZ_CHECK(std::abs(total - overMesh) <= 1e-12 * total);
+  }
+  // The energy never rises.
+  vtkDataArray* energy =
+    vtkDataArray::SafeDownCast(filter->GetConvergenceOutput()->GetColumnByName("Energy"));
+  for (vtkIdType k = 1; k < energy->GetNumberOfTuples(); ++k)
+  {
+    const double before = energy->GetComponent(k - 1, 0);
+    FUZZ_CHECK(energy->GetComponent(k, 0) <= before * (1.0 + 1e-12) + 1e-300);
+  }
+}
+
+bool outputsAreEmpty(vtkAnisotropicRemesher* filter)
+{
+  return filter->GetOutput()->GetNumberOfPoints() == 0 &&
+    filter->GetVoronoiCellsOutput()->GetNumberOfPoints() == 0 &&
+    filter->GetSitesOutput()->GetNumberOfPoints() == 0 &&
+    filter->GetEdgesOutput()->GetNumberOfPoints() == 0 &&
+    filter->GetConvergenceOutput()->GetNumberOfRows() == 0;
+}
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  fuzz::Bytes bytes(data, size);
+  const double anisotropies[5] = { 0.0, 0.04, 0.2, 1.0, 1e-9 };
+  const vtkIdType sites = 4 + bytes.below(30);
+  vtkNew<vtkAnisotropicRemesher> filter;
+  filter->SetNumberOfPoints(sites);
+  filter->SetAnisotropy(anisotropies[bytes.below(5)]);
+  filter->SetNumberOfLloydIterations(bytes.below(4));
+  filter->SetNumberOfNewtonIterations(bytes.below(4));
+  filter->SetSamplingMethod(bytes.below(2));
+  filter->SetSeed(bytes.below(256));
+  filter->SetMergeTolerance(bytes.below(4) == 0 ? 0.05 : 0.0);
+  filter->SetInputData(fuzz::polyData(bytes, 24, 32, bytes.below(8) == 0));
+
+  std::vector<std::string> errors;
+  std::vector<std::string> warnings;
+  std::vector<std::string> fromExecutive;
+  collect(filter, vtkCommand::ErrorEvent, errors);
+  collect(filter, vtkCommand::WarningEvent, warnings);
+  collect(filter->GetExecutive(), vtkCommand::ErrorEvent, fromExecutive);
+  filter->Update();
+  if (!errors.empty())
+  {
+    FUZZ_CHECK(errors.size() == 1 && errors[0].size() > 20);
+    FUZZ_CHECK(fromExecutive.size() == 1);
+  }
+  if (!errors.empty() || filter->GetSitesOutput()->GetNumberOfPoints() == 0)
+  {
+    FUZZ_CHECK(outputsAreEmpty(filter));
+    return 0;
+  }
+  FUZZ_CHECK(fromExecutive.empty());
+  checkOutputs(filter, sites);
+  return 0;
+}
