@@ -1,5 +1,6 @@
 #include "Remesh.h"
 
+#include "Delaunay/TopologyRepair.h"
 #include "Embedding/Embedding.h"
 #include "Optimization/Lloyd.h"
 #include "Voronoi/RestrictedVoronoi.h"
@@ -10,6 +11,9 @@ namespace remesh
 {
 namespace
 {
+constexpr int mostRepairs = 8;
+constexpr int settlingSteps = 2; // of Lloyd, after each
+
 /** Seconds since the last call. */
 class Stopwatch
 {
@@ -84,6 +88,46 @@ Status dualize(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   control.report(1.0);
   return control.cancelled() ? Status::cancelled() : Status::success();
 }
+
+/** The exact diagram of the sites and its dual. */
+Status diagramAndDual(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RunControl& control, RemeshResult& result)
+{
+  // Begun afresh, the diagram depends on the sites alone, and not on the way they came.
+  RestrictedVoronoi voronoi(surface);
+  if (Status status =
+        voronoi.decompose(result.sites, control.step(0, 2), result.sums, result.diagram);
+      !status.ok())
+  {
+    return status;
+  }
+  result.evaluations += voronoi.evaluations();
+  return dualize(mesh, surface, voronoi.owners(), control.step(1, 2), result);
+}
+
+bool isManifold(const EdgeTable& edges)
+{
+  for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+  {
+    if (edges.valence(edge) > 2)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** A few Lloyd steps after sites were moved. */
+Status settle(const EmbeddedSurface& surface, std::uint64_t seed, const RunControl& control,
+  RemeshResult& result)
+{
+  RestrictedVoronoi voronoi(surface);
+  Status status = relaxLloyd(voronoi, surface, settlingSteps, seed, control, result.sites,
+    result.sums, result.convergence, result.emptyCells);
+  roundToCaller(surface, result.sites);
+  result.evaluations += voronoi.evaluations();
+  return status;
+}
 }
 
 Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
@@ -111,13 +155,24 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   }
   watch.lap();
 
-  // Begun afresh, the diagram depends on the sites alone, and not on the way they came.
-  RestrictedVoronoi voronoi(surface);
-  control.enterPhase("Restricted Voronoi diagram", 0.85, 0.95);
-  if (Status status = voronoi.decompose(result.sites, control, result.sums, result.diagram);
-      !status.ok())
+  control.enterPhase("Restricted Voronoi diagram", 0.85, 1.0);
+  for (int round = 0;; ++round)
   {
-    return status;
+    if (Status status = diagramAndDual(mesh, surface, control.step(round, round + 2), result);
+        !status.ok())
+    {
+      return status;
+    }
+    if (!options.optimize || round == mostRepairs || !isManifold(result.edges) ||
+      moveSitesToDefects(surface, result.diagram, result.components, result.dual, result.sums,
+        result.sites) == 0)
+    {
+      break;
+    }
+    if (Status status = settle(surface, options.seed, control.silent(), result); !status.ok())
+    {
+      return status;
+    }
   }
   if (!options.optimize)
   {
@@ -125,13 +180,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     result.emptyCells = static_cast<Index>(
       std::count(result.sums.mass.begin(), result.sums.mass.end(), 0.0));
   }
-  control.enterPhase("Restricted Delaunay triangulation", 0.95, 1.0);
-  if (Status status = dualize(mesh, surface, voronoi.owners(), control, result); !status.ok())
-  {
-    return status;
-  }
   result.seconds.diagram = watch.lap();
-  result.evaluations += voronoi.evaluations();
   return Status::success();
 }
 }

@@ -3,6 +3,8 @@
  * @brief The whole pipeline on one page.
  *
  * surface -> sites -> Lloyd -> quasi-Newton -> restricted Voronoi diagram -> components -> dual
+ *
+ * Where the dual is no manifold in a few places, sites are moved there, and the end is run again.
  */
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h

@@ -3,7 +3,6 @@
 #include "Mesh/EdgeTable.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace remesh
 {
@@ -34,8 +33,12 @@ std::vector<Triple> collectTriangles(const Diagram& diagram, const Components& c
   return triangles;
 }
 
-/** Keeps the first of the triangles on the same three vertices; returns how many went. */
-Offset removeRepeated(std::vector<Triple>& triangles)
+/**
+ * Keeps the first of the triangles on the same three vertices.
+ *
+ * @return those of which there were more.
+ */
+std::vector<Triple> removeRepeated(std::vector<Triple>& triangles)
 {
   struct Key
   {
@@ -54,10 +57,15 @@ Offset removeRepeated(std::vector<Triple>& triangles)
     std::sort(keys[t].sorted.begin(), keys[t].sorted.end());
   }
   std::sort(keys.begin(), keys.end());
+  std::vector<Triple> twins;
   std::vector<char> repeated(triangles.size(), 0);
   for (std::size_t k = 1; k < keys.size(); ++k)
   {
-    repeated[keys[k].position] = keys[k].sorted == keys[k - 1].sorted;
+    if (keys[k].sorted == keys[k - 1].sorted)
+    {
+      repeated[keys[k].position] = 1;
+      twins.push_back(keys[k].sorted);
+    }
   }
   std::size_t kept = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -67,9 +75,47 @@ Offset removeRepeated(std::vector<Triple>& triangles)
       triangles[kept++] = triangles[t];
     }
   }
-  const auto removed = static_cast<Offset>(triangles.size() - kept);
   triangles.resize(kept);
-  return removed;
+  return twins;
+}
+
+/** For each vertex, the number of its triangles. */
+std::vector<Index> countUses(const std::vector<Triple>& triangles, Index numberOfVertices)
+{
+  std::vector<Index> uses(static_cast<std::size_t>(numberOfVertices), 0);
+  for (const Triple& triangle : triangles)
+  {
+    for (const Index vertex : triangle)
+    {
+      ++uses[vertex];
+    }
+  }
+  return uses;
+}
+
+/** See Dual::defects. */
+std::vector<Index> findDefects(const std::vector<Triple>& triangles,
+  const std::vector<Triple>& twins, const EdgeTable& edges, const std::vector<Index>& uses)
+{
+  const auto lessUsed = [&](Index a, Index b) { return uses[b] < uses[a] ? b : a; };
+  std::vector<Index> defects;
+  for (const auto& [a, b, c] : twins)
+  {
+    defects.push_back(lessUsed(lessUsed(a, b), c));
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (edges.valence(edges.facetEdges[t][k]) > 2)
+      {
+        defects.push_back(lessUsed(triangles[t][k], triangles[t][(k + 1) % 3]));
+      }
+    }
+  }
+  std::sort(defects.begin(), defects.end());
+  defects.erase(std::unique(defects.begin(), defects.end()), defects.end());
+  return defects;
 }
 }
 
@@ -77,23 +123,19 @@ Dual buildDual(const Diagram& diagram, const Components& components)
 {
   Dual dual;
   dual.triangles = collectTriangles(diagram, components);
-  dual.repeated = removeRepeated(dual.triangles);
+  const std::vector<Triple> twins = removeRepeated(dual.triangles);
+  dual.repeated = static_cast<Offset>(twins.size());
 
   const EdgeTable edges = buildEdgeTable(dual.triangles);
-  std::vector<char> used(static_cast<std::size_t>(components.count()), 0);
-  for (const Triple& triangle : dual.triangles)
-  {
-    for (const Index vertex : triangle)
-    {
-      used[vertex] = 1;
-    }
-  }
+  const std::vector<Index> uses = countUses(dual.triangles, components.count());
+  dual.defects = findDefects(dual.triangles, twins, edges, uses);
   for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
   {
     dual.numberOfNonManifoldEdges += edges.valence(edge) > 2;
   }
-  dual.eulerCharacteristic = std::count(used.begin(), used.end(), char{ 1 }) -
-    edges.numberOfEdges() + static_cast<Offset>(dual.triangles.size());
+  const auto used = static_cast<Offset>(uses.size()) - std::count(uses.begin(), uses.end(), 0);
+  dual.eulerCharacteristic =
+    used - edges.numberOfEdges() + static_cast<Offset>(dual.triangles.size());
   return dual;
 }
 

@@ -14,6 +14,12 @@ struct Dual
   std::vector<Triple> triangles; ///< components, oriented like the facet they come from
   Offset repeated = 0;           ///< points of three cells whose triangle was there already
 
+  /**
+   * Components where the dual is no manifold, ascending: of each repeated triangle and each edge of
+   * more than two triangles the vertex in the fewest triangles.
+   */
+  std::vector<Index> defects;
+
   Offset numberOfNonManifoldEdges = 0; ///< edges of more than two triangles
   Offset eulerCharacteristic = 0;      ///< used vertices - edges + triangles
 };
