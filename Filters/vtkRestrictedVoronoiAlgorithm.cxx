@@ -13,6 +13,8 @@
 #include "vtkTable.h"
 
 #include <chrono>
+#include <functional>
+#include <iterator>
 
 vtkRestrictedVoronoiAlgorithm::vtkRestrictedVoronoiAlgorithm()
 {
@@ -85,6 +87,71 @@ double vtkRestrictedVoronoiAlgorithm::GetPhaseSeconds(const char* phase) const
   return found != seconds.end() ? found->second : 0.0;
 }
 
+namespace
+{
+struct PortChoice
+{
+  bool VoronoiCells;
+  bool Edges;
+  int LargestDimension; ///< of the array `Embedding` of port 1
+};
+
+/** Fills the ports one by one; false, and all are empty again, when the run was aborted. */
+bool writePorts(const remesh::DiagramSource& source, const PortChoice& choice,
+  remesh::RunControl control, vtkInformationVector* ports)
+{
+  using Ports = vtkRestrictedVoronoiAlgorithm;
+  remesh::DiagramPoints points;
+  const std::function<void()> steps[] = {
+    [&]() { remesh::writeSurface(source, vtkPolyData::GetData(ports, Ports::SURFACE)); },
+    [&]()
+    {
+      if (choice.VoronoiCells || choice.Edges)
+      {
+        points = remesh::numberDiagramPoints(
+          source.prepared.mesh, source.result.edges, source.result.diagram);
+      }
+    },
+    [&]()
+    {
+      if (choice.VoronoiCells)
+      {
+        remesh::writeVoronoiCells(source, points, choice.LargestDimension,
+          vtkPolyData::GetData(ports, Ports::VORONOI_CELLS));
+      }
+    },
+    [&]()
+    {
+      if (choice.Edges)
+      {
+        remesh::writeEdges(source, points, vtkPolyData::GetData(ports, Ports::EDGES));
+      }
+    },
+    [&]()
+    {
+      remesh::writeSites(source, vtkPolyData::GetData(ports, Ports::SITES));
+      remesh::writeConvergence(source, vtkTable::GetData(ports, Ports::CONVERGENCE));
+    },
+  };
+  control.enterPhase("Output", 0.0, 1.0);
+  double done = 0.0;
+  for (const std::function<void()>& step : steps)
+  {
+    step();
+    control.report(++done / std::size(steps));
+    if (control.cancelled())
+    {
+      for (int port = 0; port < ports->GetNumberOfInformationObjects(); ++port)
+      {
+        vtkDataObject::GetData(ports, port)->Initialize();
+      }
+      return false;
+    }
+  }
+  return true;
+}
+}
+
 int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, remesh::RemeshOptions& options, vtkPointSet* sites,
   int seed)
@@ -138,23 +205,12 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
 
   const Clock::time_point start = Clock::now();
   const remesh::DiagramSource source{ input, prepared, result, given.places, seed };
-  remesh::writeSurface(source, vtkPolyData::GetData(outputVector, SURFACE));
-  if (this->GenerateVoronoiCells || this->GenerateEdges)
+  const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
+    this->MaximumCellEmbeddingDimension };
+  if (!writePorts(source, choice, control.part(0.95, 1.0), outputVector))
   {
-    const remesh::DiagramPoints points =
-      remesh::numberDiagramPoints(prepared.mesh, result.edges, result.diagram);
-    if (this->GenerateVoronoiCells)
-    {
-      remesh::writeVoronoiCells(source, points, this->MaximumCellEmbeddingDimension,
-        vtkPolyData::GetData(outputVector, VORONOI_CELLS));
-    }
-    if (this->GenerateEdges)
-    {
-      remesh::writeEdges(source, points, vtkPolyData::GetData(outputVector, EDGES));
-    }
+    return 1;
   }
-  remesh::writeSites(source, vtkPolyData::GetData(outputVector, SITES));
-  remesh::writeConvergence(source, vtkTable::GetData(outputVector, CONVERGENCE));
 
   facts.Dimension = prepared.surface.dimension;
   facts.Iterations = result.convergence.rows.back().iteration;
@@ -164,7 +220,6 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   facts.Seconds["lloyd"] = result.seconds.lloyd;
   facts.Seconds["newton"] = result.seconds.newton;
   facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
-  this->UpdateProgress(1.0);
   return 1;
 }
 

@@ -154,12 +154,12 @@ int TestProgressAbort(int, char*[])
   testProgress(embedding, 3);
 
   const std::vector<Content> remeshed = contentsOf(remesher);
-  for (const double moment : { 0.001, 0.03, 0.1, 0.2, 0.5, 0.8, 0.85, 0.9, 0.94 })
+  for (const double moment : { 0.001, 0.03, 0.1, 0.2, 0.5, 0.8, 0.85, 0.9, 0.94, 0.951, 0.97, 0.99 })
   {
     testAbort(remesher, moment);
   }
   const std::vector<Content> cells = contentsOf(diagram);
-  for (const double moment : { 0.001, 0.2, 0.9, 0.94 })
+  for (const double moment : { 0.001, 0.2, 0.9, 0.94, 0.951, 0.97, 0.99 })
   {
     testAbort(diagram, moment);
   }
