@@ -99,17 +99,22 @@ std::vector<Index> findDefects(const std::vector<Triple>& triangles,
 {
   const auto lessUsed = [&](Index a, Index b) { return uses[b] < uses[a] ? b : a; };
   std::vector<Index> defects;
+  std::vector<std::pair<Index, Index>> hinges; // edges that a repeated triangle makes crowded
   for (const auto& [a, b, c] : twins)
   {
     defects.push_back(lessUsed(lessUsed(a, b), c));
+    hinges.insert(hinges.end(), { { a, b }, { b, c }, { a, c } });
   }
+  std::sort(hinges.begin(), hinges.end());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (edges.valence(edges.facetEdges[t][k]) > 2)
+      const std::pair<Index, Index> edge = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+      if (edges.valence(edges.facetEdges[t][k]) > 2 &&
+        !std::binary_search(hinges.begin(), hinges.end(), edge))
       {
-        defects.push_back(lessUsed(triangles[t][k], triangles[t][(k + 1) % 3]));
+        defects.push_back(lessUsed(edge.first, edge.second));
       }
     }
   }

@@ -15,8 +15,8 @@ struct Dual
   Offset repeated = 0;           ///< points of three cells whose triangle was there already
 
   /**
-   * Components where the dual is no manifold, ascending: of each repeated triangle and each edge of
-   * more than two triangles the vertex in the fewest triangles.
+   * Components where the dual is no manifold, ascending: of each repeated triangle, and of each
+   * other edge of more than two triangles, the vertex in the fewest triangles.
    */
   std::vector<Index> defects;
 

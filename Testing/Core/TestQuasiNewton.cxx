@@ -1,0 +1,151 @@
+// Optimization/QuasiNewton: it descends, faster than Lloyd's steps, and stops where it should.
+
+#include "Optimization/EmptyCells.h"
+#include "Optimization/Lloyd.h"
+#include "Optimization/QuasiNewton.h"
+#include "TestDiagrams.h"
+
+#include <cmath>
+
+using namespace remesh;
+
+namespace
+{
+/** A minimisation from sampled sites, its first row made by no step. */
+struct Run
+{
+  Sites sites;
+  CellSums sums;
+  Convergence convergence;
+  Index empty = 0;
+  int evaluations = 0;
+};
+
+Run minimized(const EmbeddedSurface& surface, Sites sites, const QuasiNewtonOptions& options)
+{
+  Run run;
+  run.sites = std::move(sites);
+  RestrictedVoronoi voronoi(surface);
+  CHECK(relaxLloyd(voronoi, surface, 0, 1, RunControl(), run.sites, run.sums, run.convergence,
+    run.empty)
+          .ok());
+  CHECK(minimizeQuasiNewton(voronoi, surface, options, 1, RunControl(), run.sites, run.sums,
+    run.convergence, run.empty)
+          .ok());
+  run.evaluations = voronoi.evaluations();
+  return run;
+}
+
+QuasiNewtonOptions steps(int iterations)
+{
+  QuasiNewtonOptions options;
+  options.iterations = iterations;
+  return options;
+}
+
+/** Each row is lower than the last; the sums on return are those of the sites on return. */
+void testDescent()
+{
+  for (const auto& [name, mesh] : test::smallMeshes())
+  {
+    for (const int d : { 3, 6, 17 })
+    {
+      const EmbeddedSurface surface = test::embedded(mesh, d);
+      const Run run = minimized(surface, test::sampled(surface, 60, 1), steps(40));
+      const auto& rows = run.convergence.rows;
+      for (std::size_t k = 1; k < rows.size(); ++k)
+      {
+        CHECK(rows[k].energy < rows[k - 1].energy);
+        CHECK(rows[k].stepLength > 0.0 && rows[k].stepLength <= 1.0);
+        CHECK_EQUAL(rows[k].iteration, static_cast<int>(k));
+      }
+      CHECK_EQUAL(run.empty, 0);
+      CHECK_EQUAL(rows.back().energy, run.sums.totalEnergy);
+      const test::Computed again = test::computed(surface, run.sites);
+      CHECK_NEAR(again.sums.totalEnergy, run.sums.totalEnergy, 1e-13 * run.sums.totalEnergy);
+    }
+  }
+}
+
+/** Without a history a step is Lloyd's. */
+void testFirstStepIsLloyds()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.4, 36, 18));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  const Sites start = test::sampled(surface, 100, 2);
+  QuasiNewtonOptions options = steps(3);
+  options.historyLength = 0;
+  const Run run = minimized(surface, start, options);
+  Sites lloyd = start;
+  RestrictedVoronoi voronoi(surface);
+  CellSums sums;
+  Convergence convergence;
+  Index empty = 0;
+  CHECK(relaxLloyd(voronoi, surface, 3, 1, RunControl(), lloyd, sums, convergence, empty).ok());
+  for (std::size_t k = 0; k < lloyd.coordinates.size(); ++k)
+  {
+    CHECK_NEAR(run.sites.coordinates[k], lloyd.coordinates[k], 1e-12);
+  }
+}
+
+/** As many evaluations of Lloyd's method end higher, and with a larger gradient. */
+void testFasterThanLloyd()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  const Sites start = test::sampled(surface, 400, 3);
+  const Run run = minimized(surface, start, steps(60));
+  Sites lloyd = start;
+  RestrictedVoronoi voronoi(surface);
+  CellSums sums;
+  Convergence convergence;
+  Index empty = 0;
+  CHECK(relaxLloyd(voronoi, surface, run.evaluations - 1, 1, RunControl(), lloyd, sums,
+    convergence, empty)
+          .ok());
+  CHECK(run.sums.totalEnergy < sums.totalEnergy);
+  CHECK(run.sums.gradientNorm < sums.gradientNorm);
+}
+
+/** With enough iterations the gradient vanishes: a centroidal tessellation. */
+void testConvergence()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(2));
+  const EmbeddedSurface surface = test::embedded(mesh, 3);
+  const Run run = minimized(surface, test::sampled(surface, 20, 4), steps(400));
+  const auto& rows = run.convergence.rows;
+  CHECK(rows.back().gradientNorm <= 1e-5 * rows.front().gradientNorm);
+}
+
+void testTolerances()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(3));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  const Sites start = test::sampled(surface, 100, 5);
+  QuasiNewtonOptions options = steps(200);
+  options.gradientTolerance = 0.1;
+  const Run gradient = minimized(surface, start, options);
+  const auto& g = gradient.convergence.rows;
+  CHECK(g.size() < 200);
+  CHECK(g.back().gradientNorm <= 0.1 * g.front().gradientNorm);
+  CHECK(g[g.size() - 2].gradientNorm > 0.1 * g.front().gradientNorm);
+  options = steps(200);
+  options.energyTolerance = 1e-3;
+  const Run energy = minimized(surface, start, options);
+  const auto& e = energy.convergence.rows;
+  CHECK(e.size() < 200);
+  const std::size_t last = e.size() - 1;
+  CHECK(e[last - 1].energy - e[last].energy <= 1e-3 * e[last - 1].energy);
+  CHECK(e[last - 2].energy - e[last - 1].energy > 1e-3 * e[last - 1].energy);
+}
+}
+
+int TestQuasiNewton(int, char*[])
+{
+  testDescent();
+  testFirstStepIsLloyds();
+  testFasterThanLloyd();
+  testConvergence();
+  testTolerances();
+  return test::result();
+}
