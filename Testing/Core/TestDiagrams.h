@@ -17,12 +17,28 @@ struct Computed
   std::vector<Index> owners;
 };
 
+inline double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = a.size() == b.size() ? 0.0 : std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+  {
+    largest = std::max(largest, std::abs(a[k] - b[k]));
+  }
+  return largest;
+}
+
+/** The diagram; its sums are also what one gets without the pieces. */
 inline Computed computed(const EmbeddedSurface& surface, const Sites& sites)
 {
   Computed result;
   RestrictedVoronoi voronoi(surface);
   CHECK(voronoi.decompose(sites, RunControl(), result.sums, result.diagram).ok());
   result.owners = voronoi.owners();
+  CellSums sums;
+  CHECK(voronoi.integrate(sites, RunControl(), sums).ok());
+  CHECK_NEAR(largestDifference(sums.mass, result.sums.mass), 0.0, 1e-14 * surface.mass);
+  CHECK_NEAR(largestDifference(sums.energy, result.sums.energy), 0.0, 1e-13 * surface.mass);
+  CHECK_NEAR(largestDifference(sums.moment, result.sums.moment), 0.0, 1e-13 * surface.mass);
   return result;
 }
 
