@@ -156,9 +156,10 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   watch.lap();
 
   control.enterPhase("Restricted Voronoi diagram", 0.85, 1.0);
-  for (int round = 0;; ++round)
+  RunControl rest = control; // each round fills half of the progress that is left
+  for (int round = 0;; ++round, rest = rest.step(1, 2))
   {
-    if (Status status = diagramAndDual(mesh, surface, control.step(round, round + 2), result);
+    if (Status status = diagramAndDual(mesh, surface, rest.step(0, 2), result);
         !status.ok())
     {
       return status;
@@ -180,6 +181,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     result.emptyCells = static_cast<Index>(
       std::count(result.sums.mass.begin(), result.sums.mass.end(), 0.0));
   }
+  control.report(1.0);
   result.seconds.diagram = watch.lap();
   return Status::success();
 }

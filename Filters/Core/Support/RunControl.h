@@ -82,8 +82,8 @@ public:
   {
     if (m_report)
     {
-      const double reached = m_begin + std::clamp(fraction, 0.0, 1.0) * (m_end - m_begin);
-      m_report(std::min(reached, m_end), m_phase);
+      const double reached = m_begin + std::max(fraction, 0.0) * (m_end - m_begin);
+      m_report(fraction < 1.0 ? std::min(reached, m_end) : m_end, m_phase);
     }
   }
 
