@@ -70,9 +70,8 @@ Status optimize(const EmbeddedSurface& surface, const RemeshOptions& options, Ru
 Status dualize(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const std::vector<Index>& owners, const RunControl& control, RemeshResult& result)
 {
-  result.edges = buildEdgeTable(mesh.facetPoints);
-  if (Status status = findComponents(mesh, surface, result.edges, result.diagram, owners,
-        control.step(0, 3), result.components);
+  if (Status status = findComponents(
+        mesh, surface, result.edges, result.diagram, owners, control.step(0, 3), result.components);
       !status.ok())
   {
     return status;
@@ -128,10 +127,36 @@ Status settle(const EmbeddedSurface& surface, std::uint64_t seed, const RunContr
   result.evaluations += voronoi.evaluations();
   return status;
 }
+
+/** Diagram and dual, again and again while sites can be moved to where the dual is no manifold. */
+Status finish(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
+  const RunControl& control, RemeshResult& result)
+{
+  result.edges = buildEdgeTable(mesh.facetPoints);
+  const bool mayRepair = options.optimize && isManifold(result.edges);
+  RunControl rest = control; // each round fills half of the progress that is left
+  for (int round = 0;; ++round, rest = rest.step(1, 2))
+  {
+    if (Status status = diagramAndDual(mesh, surface, rest.step(0, 2), result); !status.ok())
+    {
+      return status;
+    }
+    if (!mayRepair || round == mostRepairs ||
+      moveSitesToDefects(
+        surface, result.diagram, result.components, result.dual, result.sums, result.sites) == 0)
+    {
+      return Status::success();
+    }
+    if (Status status = settle(surface, options.seed, control.silent(), result); !status.ok())
+    {
+      return status;
+    }
+  }
+}
 }
 
-Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RemeshOptions& options, RunControl control, RemeshResult& result)
+Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
+  RunControl control, RemeshResult& result)
 {
   result = RemeshResult{};
   Stopwatch watch;
@@ -156,31 +181,19 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   watch.lap();
 
   control.enterPhase("Restricted Voronoi diagram", 0.85, 1.0);
-  RunControl rest = control; // each round fills half of the progress that is left
-  for (int round = 0;; ++round, rest = rest.step(1, 2))
+  if (Status status = finish(mesh, surface, options, control, result); !status.ok())
   {
-    if (Status status = diagramAndDual(mesh, surface, rest.step(0, 2), result);
-        !status.ok())
-    {
-      return status;
-    }
-    if (!options.optimize || round == mostRepairs || !isManifold(result.edges) ||
-      moveSitesToDefects(surface, result.diagram, result.components, result.dual, result.sums,
-        result.sites) == 0)
-    {
-      break;
-    }
-    if (Status status = settle(surface, options.seed, control.silent(), result); !status.ok())
-    {
-      return status;
-    }
+    return status;
   }
   if (!options.optimize)
   {
-    result.convergence.add(result.sums.totalEnergy, result.sums.gradientNorm, 0.0);
-    result.emptyCells = static_cast<Index>(
-      std::count(result.sums.mass.begin(), result.sums.mass.end(), 0.0));
+    result.convergence.add(0.0, 0.0, 0.0);
+    result.emptyCells =
+      static_cast<Index>(std::count(result.sums.mass.begin(), result.sums.mass.end(), 0.0));
   }
+  // The last row is that of the diagram given back, to the bit.
+  result.convergence.rows.back().energy = result.sums.totalEnergy;
+  result.convergence.rows.back().gradientNorm = result.sums.gradientNorm;
   control.report(1.0);
   result.seconds.diagram = watch.lap();
   return Status::success();

@@ -59,8 +59,8 @@ struct RemeshResult
 };
 
 /** Runs the pipeline on an embedded surface. Deterministic in surface and options. */
-Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RemeshOptions& options, RunControl control, RemeshResult& result);
+Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
+  RunControl control, RemeshResult& result);
 }
 
 #endif

@@ -24,9 +24,9 @@ std::vector<Triple> collectTriangles(const Diagram& diagram, const Components& c
       if (incoming > site && outgoing > site)
       {
         const Index facet = diagram.facets[piece];
-        triangles.push_back({ components.ofPiece[piece],
-          components.ofPiece[diagram.pieceOf(facet, incoming)],
-          components.ofPiece[diagram.pieceOf(facet, outgoing)] });
+        triangles.push_back(
+          { components.ofPiece[piece], components.ofPiece[diagram.pieceOf(facet, incoming)],
+            components.ofPiece[diagram.pieceOf(facet, outgoing)] });
       }
     }
   }

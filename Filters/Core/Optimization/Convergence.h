@@ -28,8 +28,8 @@ struct Convergence
   void add(double energy, double gradientNorm, double stepLength)
   {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - this->start;
-    this->rows.push_back({ static_cast<int>(this->rows.size()), energy, gradientNorm, stepLength,
-      elapsed.count() });
+    this->rows.push_back(
+      { static_cast<int>(this->rows.size()), energy, gradientNorm, stepLength, elapsed.count() });
   }
 };
 }

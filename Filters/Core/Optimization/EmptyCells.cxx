@@ -53,7 +53,8 @@ Status integrateAndFill(RestrictedVoronoi& voronoi, const EmbeddedSurface& surfa
       return Status::success(); // every site sits on all of its cell: nothing to gain
     }
     const FacetSampler sampler(surface, weights);
-    const std::uint64_t stream = firstStream + 3 * static_cast<std::uint64_t>(voronoi.evaluations());
+    const std::uint64_t stream =
+      firstStream + 3 * static_cast<std::uint64_t>(voronoi.evaluations());
     for (Index i = 0; i < sites.count(); ++i)
     {
       if (sums.mass[i] == 0.0)

@@ -36,8 +36,8 @@ Status relaxLloyd(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface, in
     {
       moveToCentroids(sums, sites);
     }
-    if (Status status = integrateAndFill(voronoi, surface, seed,
-          control.step(step, iterations + 1), sites, sums, emptyCells);
+    if (Status status = integrateAndFill(
+          voronoi, surface, seed, control.step(step, iterations + 1), sites, sums, emptyCells);
         !status.ok())
     {
       return status;

@@ -138,8 +138,7 @@ double shorterLength(double length, double slope, double rise)
 
 bool anyEmpty(const CellSums& sums)
 {
-  return std::any_of(
-    sums.mass.begin(), sums.mass.end(), [](double mass) { return !(mass > 0.0); });
+  return std::any_of(sums.mass.begin(), sums.mass.end(), [](double mass) { return !(mass > 0.0); });
 }
 
 /** g . p, with g = -2 moment. */
@@ -161,15 +160,14 @@ Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& su
   trial.accepted = false;
   for (int k = 0; k < mostTrials; ++k)
   {
-    vectors.forEach(
-      [&](std::size_t c)
+    vectors.forEach([&](std::size_t c)
       { trial.sites.coordinates[c] = sites.coordinates[c] + trial.length * direction[c]; });
     if (!vectors.complete())
     {
       return Status::cancelled();
     }
-    if (Status status = voronoi.integrate(trial.sites, k == 0 ? control : control.silent(),
-          trial.sums);
+    if (Status status =
+          voronoi.integrate(trial.sites, k == 0 ? control : control.silent(), trial.sums);
         !status.ok())
     {
       return status;
@@ -203,8 +201,8 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
       hessian.clear(); // the history misleads: Lloyd's direction always descends
       hessian.descend(sums, sites.dimension, direction);
     }
-    if (Status status = search(voronoi, sites, sums, direction, vectors,
-          control.step(step, options.iterations), trial);
+    if (Status status = search(
+          voronoi, sites, sums, direction, vectors, control.step(step, options.iterations), trial);
         !status.ok())
     {
       return status;

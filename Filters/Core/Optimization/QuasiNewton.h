@@ -6,7 +6,8 @@
  * (Y. Liu et al., "On Centroidal Voronoi Tessellation: Energy Smoothness and Fast Computation",
  * 2009). Two-loop recursion of J. Nocedal (1980) with diag(2 m_i), scaled to the last step's
  * curvature, as initial Hessian: the first step is Lloyd's. A backtracking line search keeps the
- * energy falling; the unit step is nearly always taken. Positions and gradients are doubles, the history is held in floats.
+ * energy falling; the unit step is nearly always taken. Positions and gradients are doubles, the
+ * history is held in floats.
  */
 #ifndef remesh_QuasiNewton_h
 #define remesh_QuasiNewton_h
@@ -30,8 +31,8 @@ struct QuasiNewtonOptions
 
 /**
  * Minimises from `sites`, whose integrals are `sums`; both belong to the best sites on return, and
- * `convergence`, which has at least its first row, gets one more for each step. A site that loses its cell is moved, and the
- * history forgotten.
+ * `convergence`, which has at least its first row, gets one more for each step. A site that loses
+ * its cell is moved, and the history forgotten.
  */
 Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface,
   const QuasiNewtonOptions& options, std::uint64_t seed, const RunControl& control, Sites& sites,

@@ -27,11 +27,11 @@ struct DiagramVertex
  */
 struct Diagram
 {
-  std::vector<Offset> facetBegin;  ///< F + 1, into the pieces
-  std::vector<Index> sites;        ///< P
-  std::vector<Index> facets;       ///< P
+  std::vector<Offset> facetBegin;       ///< F + 1, into the pieces
+  std::vector<Index> sites;             ///< P
+  std::vector<Index> facets;            ///< P
   std::vector<PieceIntegral> integrals; ///< P
-  std::vector<Offset> vertexBegin; ///< P + 1, into `vertices`
+  std::vector<Offset> vertexBegin;      ///< P + 1, into `vertices`
   std::vector<DiagramVertex> vertices;
 
   Offset numberOfPieces() const { return static_cast<Offset>(this->sites.size()); }

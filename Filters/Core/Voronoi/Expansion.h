@@ -60,10 +60,7 @@ public:
   }
 
   /** -1, 0 or 1: the sign of the largest term. */
-  int sign() const
-  {
-    return m_size == 0 ? 0 : (m_terms[m_size - 1] > 0.0 ? 1 : -1);
-  }
+  int sign() const { return m_size == 0 ? 0 : (m_terms[m_size - 1] > 0.0 ? 1 : -1); }
 
 private:
   // 24 triple products of four terms each are the longest sum; each add makes at most one more.

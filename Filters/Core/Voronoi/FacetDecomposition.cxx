@@ -109,8 +109,7 @@ bool FacetDecomposition<D>::gatherCandidates(Index facet)
   for (const Index corner : corners)
   {
     const Index site = m_owners[corner];
-    const double distance =
-      std::sqrt(squaredDistance<D>(m_sites.site(site), m_center.data(), d));
+    const double distance = std::sqrt(squaredDistance<D>(m_sites.site(site), m_center.data(), d));
     if (owner == noIndex || distance < nearest)
     {
       owner = site;

@@ -34,8 +34,8 @@ template <int D>
 class FacetDecomposition
 {
 public:
-  FacetDecomposition(const EmbeddedSurface& surface, const Sites& sites,
-    const NeighborLists& lists, const std::vector<Index>& owners);
+  FacetDecomposition(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
+    const std::vector<Index>& owners);
 
   /** Forgets longer lists; call between blocks to bound the memory. */
   void beginBlock() { m_longer.clear(); }
@@ -79,12 +79,12 @@ private:
 
   std::vector<FacetPiece> m_pieces; ///< the first m_used are this facet's; the rest is capacity
   std::size_t m_used = 0;
-  bool m_complete = false;          ///< whether the slots hold all sites that matter
-  std::vector<char> m_queued;       ///< per slot
-  std::vector<Index> m_slotOfSite;  ///< per site, valid where m_cutOfSlot is this cut
-  std::vector<Index> m_cutOfSlot;   ///< per site
-  Index m_cut = 0;                  ///< counts the calls of gather()
-  std::vector<double> m_center;     ///< d
+  bool m_complete = false;         ///< whether the slots hold all sites that matter
+  std::vector<char> m_queued;      ///< per slot
+  std::vector<Index> m_slotOfSite; ///< per site, valid where m_cutOfSlot is this cut
+  std::vector<Index> m_cutOfSlot;  ///< per site
+  Index m_cut = 0;                 ///< counts the calls of gather()
+  std::vector<double> m_center;    ///< d
 };
 
 extern template class FacetDecomposition<3>;

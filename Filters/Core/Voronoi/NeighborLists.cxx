@@ -36,7 +36,7 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
     return status;
   }
   return m_largestDisplacement > farthestMove * m_spacing ? this->build(sites, control)
-                                                           : Status::success();
+                                                          : Status::success();
 }
 
 Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl& control)
@@ -48,8 +48,8 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
       {
         const auto site = static_cast<Index>(k);
         m_displacements[k] = aboveRounding *
-          std::sqrt(squaredDistance<Eigen::Dynamic>(
-            sites.site(site), m_built.site(site), sites.dimension));
+          std::sqrt(
+            squaredDistance<Eigen::Dynamic>(sites.site(site), m_built.site(site), sites.dimension));
       }
     });
   m_largestDisplacement = *std::max_element(m_displacements.begin(), m_displacements.end());

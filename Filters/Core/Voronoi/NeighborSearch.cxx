@@ -88,8 +88,7 @@ void NeighborSearch::neighbors(Index site, Index count, std::vector<Neighbor>& r
   const auto wanted = static_cast<std::size_t>(std::min(count, this->numberOfSites() - 1)) + 1;
   std::vector<std::uint32_t> ids(wanted);
   std::vector<double> squared(wanted);
-  const std::size_t found =
-    m_tree->search(m_sites->site(site), wanted, ids.data(), squared.data());
+  const std::size_t found = m_tree->search(m_sites->site(site), wanted, ids.data(), squared.data());
   result.clear();
   for (std::size_t k = 0; k < found; ++k)
   {

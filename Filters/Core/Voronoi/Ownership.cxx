@@ -51,8 +51,7 @@ Status findOwners(const EmbeddedSurface& surface, const Sites& sites, const Neig
     for (Index nearer = owner; nearer != noIndex;)
     {
       owner = nearer;
-      nearer =
-        findNearer<decltype(dimension)::value>(point, owner, sites, lists, longer);
+      nearer = findNearer<decltype(dimension)::value>(point, owner, sites, lists, longer);
     }
     owners[corner] = owner;
   };

@@ -17,9 +17,9 @@ namespace remesh
 {
 struct PieceIntegral
 {
-  double fraction = 0.0;                   ///< share of the facet's area
-  double weights[3] = { 0.0, 0.0, 0.0 };   ///< sum to `fraction`; centroid = sum_k w_k p_k / fraction
-  double energy = 0.0;                     ///< integral of |x - x_i|^2 over the facet's mass
+  double fraction = 0.0;                 ///< share of the facet's area
+  double weights[3] = { 0.0, 0.0, 0.0 }; ///< sum to `fraction`; centroid = sum_k w_k p_k / fraction
+  double energy = 0.0;                   ///< integral of |x - x_i|^2 over the facet's mass
 };
 
 /** A piece of site `slot`. O(vertices). */
@@ -33,8 +33,7 @@ inline PieceIntegral integratePiece(
     const double* p = polygon[0].b;
     const double* q = polygon[v].b;
     const double* r = polygon[v + 1].b;
-    const double share =
-      (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
+    const double share = (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
     double center[3];
     for (int k = 0; k < 3; ++k)
     {

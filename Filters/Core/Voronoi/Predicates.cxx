@@ -118,11 +118,10 @@ int orientationSum(const FacetSite& a, const FacetSite& b, const FacetSite& c)
 }
 
 // With u = H_j - H_i and w = H_q - H_i, the crossing is at t = u_k / (u_k - u_l), where w is
-// (u_k w_l - u_l w_k) / (u_k - u_l): orient2d of (H_k, H_l) over a known sign. A common shift eps of
-// one site changes that determinant by eps times: u_k - u_l for q, w_l - w_k for j, and for i the
-// rest; the site of the largest id whose factor is not zero decides a tie.
-bool beatsOnEdge(
-  const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving)
+// (u_k w_l - u_l w_k) / (u_k - u_l): orient2d of (H_k, H_l) over a known sign. A common shift eps
+// of one site changes that determinant by eps times: u_k - u_l for q, w_l - w_k for j, and for i
+// the rest; the site of the largest id whose factor is not zero decides a tie.
+bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving)
 {
   const int l = (k + 1) % 3;
   const int direction = leaving ? 1 : -1; // sign of u_k - u_l
@@ -149,8 +148,8 @@ bool beatsOnEdge(
     };
     std::array<Factor, 3> factors{ { { q.id, direction }, { j.id, along(pi, pq) },
       { i.id, along(pq, pj) } } };
-    std::sort(factors.begin(), factors.end(),
-      [](const Factor& a, const Factor& b) { return a.id > b.id; });
+    std::sort(
+      factors.begin(), factors.end(), [](const Factor& a, const Factor& b) { return a.id > b.id; });
     for (const Factor& factor : factors)
     {
       if (factor.sign != 0)
@@ -166,8 +165,7 @@ bool beatsOnEdge(
 // With u = H_j - H_i, v = H_m - H_i, w = H_q - H_i the point is u x v over its (positive) sum, and
 // q beats i there when det(u, v, w) < 0. A common shift of q, j, m or i changes the determinant by
 // the orientation sums of the other three.
-bool beatsInside(
-  const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m)
+bool beatsInside(const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m)
 {
   int sign = orient3d(i, j, m, q);
   if (sign == 0)

@@ -46,16 +46,14 @@ inline bool beatsSomewhere(const FacetSite& q, const FacetSite& i)
  * @param leaving true when that edge, walked from k, leaves the cell of i at the point (i wins at
  *        the k side), false when it enters it.
  */
-bool beatsOnEdge(
-  const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving);
+bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving);
 
 /**
  * Whether q beats i at the point where the cells of i, j, m meet inside the facet, with j across
  * the edge of the piece of i that ends in the point and m across the edge that starts there
  * (the piece counter-clockwise in the facet's orientation).
  */
-bool beatsInside(
-  const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m);
+bool beatsInside(const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m);
 }
 
 #endif

@@ -51,8 +51,8 @@ Status joinBlocks(std::vector<BlockPieces>& blocks, Index numberOfFacets, Diagra
   }
   if (pieces > static_cast<std::size_t>(maximumIndex))
   {
-    return Status::invalid("The diagram has " + std::to_string(pieces) +
-      " pieces, more than the " + std::to_string(maximumIndex) + " that can be held.");
+    return Status::invalid("The diagram has " + std::to_string(pieces) + " pieces, more than the " +
+      std::to_string(maximumIndex) + " that can be held.");
   }
   diagram.sites.reserve(pieces);
   diagram.facets.reserve(pieces);
@@ -181,9 +181,9 @@ Status RestrictedVoronoi::evaluate(
   ScratchPool<BlockScratch<D>> pool(
     [&]()
     {
-      return std::unique_ptr<BlockScratch<D>>(new BlockScratch<D>{
-        FacetDecomposition<D>(m_surface, sites, m_lists, m_owners),
-        BlockAccumulator<D>(m_surface, sites) });
+      return std::unique_ptr<BlockScratch<D>>(
+        new BlockScratch<D>{ FacetDecomposition<D>(m_surface, sites, m_lists, m_owners),
+          BlockAccumulator<D>(m_surface, sites) });
     });
   const bool done = forEachBlock(blocks.count(), control.step(2, 4),
     [&](Offset block)
@@ -199,18 +199,15 @@ Status RestrictedVoronoi::evaluate(
   }
   if (diagram)
   {
-    if (Status status = joinBlocks(blockPieces, m_surface.numberOfFacets(), *diagram);
-        !status.ok())
+    if (Status status = joinBlocks(blockPieces, m_surface.numberOfFacets(), *diagram); !status.ok())
     {
       return status;
     }
   }
-  return reduceBlocks(
-    blockSums, sites.count(), m_surface.dimension, control.step(3, 4), sums);
+  return reduceBlocks(blockSums, sites.count(), m_surface.dimension, control.step(3, 4), sums);
 }
 
-Status RestrictedVoronoi::integrate(
-  const Sites& sites, const RunControl& control, CellSums& sums)
+Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& control, CellSums& sums)
 {
   return dispatchDimension(m_surface.dimension,
     [&](auto dimension)

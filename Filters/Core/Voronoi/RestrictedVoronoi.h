@@ -37,8 +37,7 @@ public:
   Status integrate(const Sites& sites, const RunControl& control, CellSums& sums);
 
   /** The pieces of all cells and the same integrals. */
-  Status decompose(
-    const Sites& sites, const RunControl& control, CellSums& sums, Diagram& diagram);
+  Status decompose(const Sites& sites, const RunControl& control, CellSums& sums, Diagram& diagram);
 
   /** Site that owns each corner (C), of the last evaluation. */
   const std::vector<Index>& owners() const { return m_owners; }
@@ -48,8 +47,7 @@ public:
 private:
   Status locate(const Sites& sites, const RunControl& control);
   template <int D>
-  Status evaluate(
-    const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram);
+  Status evaluate(const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram);
 
   const EmbeddedSurface& m_surface;
   NeighborLists m_lists;

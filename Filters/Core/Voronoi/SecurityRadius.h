@@ -23,8 +23,8 @@ public:
   }
 
   /**
-   * Whether no site at `distance` or more from x_i can win a point within `radius` of x_i, where `reach`
-   * is the largest distance from x_i to a corner of the facet.
+   * Whether no site at `distance` or more from x_i can win a point within `radius` of x_i, where
+   * `reach` is the largest distance from x_i to a corner of the facet.
    */
   bool excludes(double distance, double radius, double reach) const
   {
