@@ -22,8 +22,7 @@ vtkSmartPointer<vtkPoints> placePoints(const DiagramSource& source, const Diagra
     [&](Offset k) { return placeOf(source.prepared.mesh, points.points[k]); });
 }
 
-void addEmbedding(
-  const DiagramSource& source, const DiagramPoints& points, vtkPointData* data)
+void addEmbedding(const DiagramSource& source, const DiagramPoints& points, vtkPointData* data)
 {
   const CornerCoordinates& coordinates = source.prepared.coordinates;
   const int d = coordinates.dimension;

@@ -65,8 +65,8 @@ Status readCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, Offset numb
     {
       if (!std::isfinite(tuple[c]))
       {
-        return Status::invalid(nameOf(array) + " has a value that is not a finite number at point " +
-          std::to_string(point) + ".");
+        return Status::invalid(nameOf(array) +
+          " has a value that is not a finite number at point " + std::to_string(point) + ".");
       }
       // A running mean: exact where all values are equal.
       mean[c] += (tuple[c] - mean[c]) / counts[corner];
@@ -75,8 +75,7 @@ Status readCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, Offset numb
   return Status::success();
 }
 
-Status readNormals(
-  vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals)
+Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals)
 {
   if (Status status = checkTuples(array, numberOfInputPoints); !status.ok())
   {

@@ -19,13 +19,11 @@ namespace remesh
  * @return InvalidInput, with the array's name, for a wrong number of tuples or a value at a used
  *         point that is not finite.
  */
-Status readCornerArray(
-  const SurfaceMesh& mesh, vtkDataArray* array, Offset numberOfInputPoints,
+Status readCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, Offset numberOfInputPoints,
   CornerCoordinates& values);
 
 /** All tuples of a point array of three components, as they are. */
-Status readNormals(
-  vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals);
+Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals);
 }
 
 #endif

@@ -40,8 +40,7 @@ void runInScope(Execution& execution, const std::function<void()>& work)
   // warn on the terminal.
   const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   execution.threads = std::min(execution.threads, processors);
-  vtkSMPTools::LocalScope(
-    vtkSMPTools::Config{ execution.threads, execution.backend, false },
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ execution.threads, execution.backend, false },
     [&]()
     {
       execution.backend = vtkSMPTools::GetBackend();

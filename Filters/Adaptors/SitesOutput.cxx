@@ -95,8 +95,7 @@ void writeConvergence(const DiagramSource& source, vtkTable* output)
   const auto& rows = source.result.convergence.rows;
   const auto count = static_cast<Offset>(rows.size());
   vtkFieldData* data = output->GetRowData();
-  addColumn<vtkIdTypeArray>(
-    data, "Iteration", count, [&](Offset k) { return rows[k].iteration; });
+  addColumn<vtkIdTypeArray>(data, "Iteration", count, [&](Offset k) { return rows[k].iteration; });
   addColumn<vtkDoubleArray>(
     data, "Energy", count, [&](Offset k) { return rows[k].energy * source.energyUnit(); });
   const double gradientUnit = source.massUnit() * source.surface().unit;

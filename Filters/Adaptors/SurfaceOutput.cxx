@@ -58,8 +58,8 @@ void addSiteArrays(const DiagramSource& source, vtkPointData* data)
   addColumn<vtkIdTypeArray>(
     data, "ComponentId", count, [&](Offset k) { return components.ranks[k]; });
   addColumn<vtkDoubleArray>(data, "CellArea", count, [&](Offset k) { return components.area[k]; });
-  addColumn<vtkDoubleArray>(data, "CellMass", count,
-    [&](Offset k) { return components.mass[k] * source.massUnit(); });
+  addColumn<vtkDoubleArray>(
+    data, "CellMass", count, [&](Offset k) { return components.mass[k] * source.massUnit(); });
   addColumn<vtkDoubleArray>(data, "CellEnergy", count,
     [&](Offset k) { return components.energy[k] * source.energyUnit(); });
   const int d = source.surface().dimension;
@@ -90,8 +90,8 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
 void writeSurface(const DiagramSource& source, vtkPolyData* output)
 {
   const auto& centroids = source.result.components.centroids;
-  output->SetPoints(makePoints(
-    static_cast<Offset>(centroids.size()), [&](Offset k) -> const Point3& { return centroids[k]; }));
+  output->SetPoints(makePoints(static_cast<Offset>(centroids.size()),
+    [&](Offset k) -> const Point3& { return centroids[k]; }));
   vtkNew<vtkCellArray> triangles;
   triangles->AllocateExact(static_cast<vtkIdType>(source.result.dual.triangles.size()),
     3 * static_cast<vtkIdType>(source.result.dual.triangles.size()));

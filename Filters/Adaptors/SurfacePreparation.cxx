@@ -12,8 +12,8 @@ namespace remesh
 {
 namespace
 {
-Status takeIn(vtkPolyData* input, double mergeTolerance, const RunControl& control,
-  PreparedSurface& prepared)
+Status takeIn(
+  vtkPolyData* input, double mergeTolerance, const RunControl& control, PreparedSurface& prepared)
 {
   TriangleSoup soup;
   if (Status status = readTriangleSoup(input, soup); !status.ok())
@@ -36,8 +36,8 @@ Status takeIn(vtkPolyData* input, double mergeTolerance, const RunControl& contr
   return buildSurfaceMesh(soup, options, control, prepared.mesh, prepared.intake);
 }
 
-Status findNormals(vtkPolyData* input, const PreparationRequest& request,
-  const RunControl& control, PreparedSurface& prepared)
+Status findNormals(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
+  PreparedSurface& prepared)
 {
   if (request.normals)
   {
@@ -53,8 +53,7 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request,
     }
     prepared.warnings.push_back(status.message + " The normals are estimated instead.");
   }
-  prepared.normals =
-    estimateCornerNormals(prepared.mesh, request.normalSmoothingPasses, control);
+  prepared.normals = estimateCornerNormals(prepared.mesh, request.normalSmoothingPasses, control);
   return Status::success();
 }
 
@@ -66,8 +65,8 @@ Status makeCoordinates(
   {
     if (request.embedding->GetNumberOfComponents() < 2)
     {
-      return Status::invalid(std::string("The embedding array \"") +
-        request.embedding->GetName() + "\" has 1 component; an embedding has at least 2.");
+      return Status::invalid(std::string("The embedding array \"") + request.embedding->GetName() +
+        "\" has 1 component; an embedding has at least 2.");
     }
     return readCornerArray(prepared.mesh, request.embedding, points, prepared.coordinates);
   }
@@ -112,7 +111,6 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   {
     return status;
   }
-  return embedSurface(
-    prepared.mesh, prepared.coordinates, progress.step(1, 2), prepared.surface);
+  return embedSurface(prepared.mesh, prepared.coordinates, progress.step(1, 2), prepared.surface);
 }
 }

@@ -20,9 +20,9 @@ namespace remesh
 struct PreparationRequest
 {
   bool gaussMap = true;
-  double anisotropy = 0.04;       ///< fraction of the bounding-box diagonal
-  int normalSmoothingPasses = -1; ///< negative: automatic
-  double mergeTolerance = 0.0;    ///< fraction of the bounding-box diagonal
+  double anisotropy = 0.04;          ///< fraction of the bounding-box diagonal
+  int normalSmoothingPasses = -1;    ///< negative: automatic
+  double mergeTolerance = 0.0;       ///< fraction of the bounding-box diagonal
   vtkDataArray* normals = nullptr;   ///< of the points; nullptr: estimate
   bool normalsRequired = false;      ///< whether unusable normals are an error
   vtkDataArray* embedding = nullptr; ///< of the points; replaces all others

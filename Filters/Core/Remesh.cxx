@@ -188,8 +188,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
   if (!options.optimize)
   {
     result.convergence.add(0.0, 0.0, 0.0);
-    result.emptyCells =
-      static_cast<Index>(std::count(result.sums.mass.begin(), result.sums.mass.end(), 0.0));
+    result.emptyCells = result.sums.countEmpty();
   }
   // The last row is that of the diagram given back, to the bit.
   result.convergence.rows.back().energy = result.sums.totalEnergy;

@@ -97,8 +97,8 @@ void numberComponents(const Diagram& diagram, DisjointSets& sets, Components& co
   }
 }
 
-void sumComponent(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Diagram& diagram, Index component, Components& components)
+void sumComponent(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Diagram& diagram,
+  Index component, Components& components)
 {
   double mass = 0.0, area = 0.0, energy = 0.0;
   Point3 moment = Point3::Zero();

@@ -10,8 +10,8 @@ namespace remesh
 {
 namespace
 {
-SurfaceLocation locate(const SurfaceMesh& mesh, const Diagram& diagram,
-  const Components& components, Index component)
+SurfaceLocation locate(
+  const SurfaceMesh& mesh, const Diagram& diagram, const Components& components, Index component)
 {
   SurfaceLocation location{ noIndex, { 0.0, 0.0, 0.0 } };
   double nearest = std::numeric_limits<double>::infinity();
@@ -33,8 +33,7 @@ SurfaceLocation locate(const SurfaceMesh& mesh, const Diagram& diagram,
 }
 
 Status locateOnSurface(const SurfaceMesh& mesh, const Diagram& diagram,
-  const Components& components, const RunControl& control,
-  std::vector<SurfaceLocation>& locations)
+  const Components& components, const RunControl& control, std::vector<SurfaceLocation>& locations)
 {
   locations.resize(static_cast<std::size_t>(components.count()));
   const bool done = forEachRange(Blocks::cut(components.count(), 256, 4096), control,

@@ -20,8 +20,7 @@ struct SurfaceLocation
  * search over the whole surface, never on another sheet. K locations. O(P).
  */
 Status locateOnSurface(const SurfaceMesh& mesh, const Diagram& diagram,
-  const Components& components, const RunControl& control,
-  std::vector<SurfaceLocation>& locations);
+  const Components& components, const RunControl& control, std::vector<SurfaceLocation>& locations);
 }
 
 #endif

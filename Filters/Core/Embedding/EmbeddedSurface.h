@@ -15,10 +15,10 @@ namespace remesh
 /** What does not change about a facet while the sites move. */
 struct FacetConstants
 {
-  double mass = 0.0;                      ///< area in R^d
-  double area = 0.0;                      ///< area in R^3, in the unit of the points
-  double radius = 0.0;                    ///< largest distance from the centre to a corner, in R^d
-  double edge2[3] = { 0.0, 0.0, 0.0 };    ///< squared length in R^d of edge k, corners k, k + 1
+  double mass = 0.0;                   ///< area in R^d
+  double area = 0.0;                   ///< area in R^3, in the unit of the points
+  double radius = 0.0;                 ///< largest distance from the centre to a corner, in R^d
+  double edge2[3] = { 0.0, 0.0, 0.0 }; ///< squared length in R^d of edge k, corners k, k + 1
 };
 
 struct EmbeddedSurface

@@ -1,7 +1,7 @@
 #include "Embedding/Embedding.h"
 
-#include "Support/Parallel.h"
 #include "Embedding/Distance.h"
+#include "Support/Parallel.h"
 
 #include <Eigen/Geometry>
 
@@ -153,8 +153,7 @@ CornerCoordinates gaussMapCoordinates(
   return coordinates;
 }
 
-void appendCoordinates(
-  CornerCoordinates& coordinates, const CornerCoordinates& more, double scale)
+void appendCoordinates(CornerCoordinates& coordinates, const CornerCoordinates& more, double scale)
 {
   const int before = coordinates.dimension;
   const int total = before + more.dimension;

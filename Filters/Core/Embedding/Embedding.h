@@ -31,8 +31,7 @@ CornerCoordinates gaussMapCoordinates(
   const SurfaceMesh& mesh, const std::vector<Point3>& normals, double s);
 
 /** Appends `scale` times the components of `more` to each corner's coordinates. */
-void appendCoordinates(
-  CornerCoordinates& coordinates, const CornerCoordinates& more, double scale);
+void appendCoordinates(CornerCoordinates& coordinates, const CornerCoordinates& more, double scale);
 
 /**
  * Centres and scales the coordinates and computes the constants of the facets.

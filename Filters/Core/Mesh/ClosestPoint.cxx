@@ -6,8 +6,8 @@ namespace remesh
 {
 namespace
 {
-ClosestPoint at(double u, double v, double w, const Point3& point, const Point3& a,
-  const Point3& b, const Point3& c)
+ClosestPoint at(double u, double v, double w, const Point3& point, const Point3& a, const Point3& b,
+  const Point3& c)
 {
   return { { u, v, w }, (u * a + v * b + w * c - point).squaredNorm() };
 }

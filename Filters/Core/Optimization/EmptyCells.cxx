@@ -42,7 +42,7 @@ Status integrateAndFill(RestrictedVoronoi& voronoi, const EmbeddedSurface& surfa
     {
       return status;
     }
-    emptyCells = static_cast<Index>(std::count(sums.mass.begin(), sums.mass.end(), 0.0));
+    emptyCells = sums.countEmpty();
     if (emptyCells == 0 || round == mostRounds)
     {
       return Status::success();
@@ -57,7 +57,7 @@ Status integrateAndFill(RestrictedVoronoi& voronoi, const EmbeddedSurface& surfa
       firstStream + 3 * static_cast<std::uint64_t>(voronoi.evaluations());
     for (Index i = 0; i < sites.count(); ++i)
     {
-      if (sums.mass[i] == 0.0)
+      if (sums.isEmpty(i))
       {
         sampler.draw(uniform01(seed, i, stream), uniform01(seed, i, stream + 1),
           uniform01(seed, i, stream + 2), sites.site(i));

@@ -136,11 +136,6 @@ double shorterLength(double length, double slope, double rise)
   return std::clamp(best, 0.1 * length, 0.5 * length);
 }
 
-bool anyEmpty(const CellSums& sums)
-{
-  return std::any_of(sums.mass.begin(), sums.mass.end(), [](double mass) { return !(mass > 0.0); });
-}
-
 /** g . p, with g = -2 moment. */
 double slopeAlong(
   const CellSums& sums, const std::vector<double>& direction, const BlockedVectors& vectors)
@@ -212,7 +207,7 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
       break; // rounding is all that is left to gain
     }
     hessian.update(direction, trial.length, sums.moment, trial.sums.moment);
-    if (anyEmpty(trial.sums))
+    if (trial.sums.countEmpty() > 0)
     {
       hessian.clear();
       if (Status status = integrateAndFill(

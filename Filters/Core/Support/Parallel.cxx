@@ -49,8 +49,7 @@ void runOnEightThreads(Offset begin, Offset end, const std::function<void(Offset
   }
 }
 
-void runGroup(
-  Schedule schedule, Offset begin, Offset end, const std::function<void(Offset)>& body)
+void runGroup(Schedule schedule, Offset begin, Offset end, const std::function<void(Offset)>& body)
 {
   switch (schedule)
   {
@@ -99,7 +98,7 @@ bool forEachBlock(
 bool forEachRange(
   const Blocks& blocks, const RunControl& control, const std::function<void(Offset, Offset)>& body)
 {
-  return forEachBlock(blocks.count(), control,
-    [&](Offset block) { body(blocks.begin(block), blocks.end(block)); });
+  return forEachBlock(
+    blocks.count(), control, [&](Offset block) { body(blocks.begin(block), blocks.end(block)); });
 }
 }

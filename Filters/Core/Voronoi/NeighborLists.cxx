@@ -89,7 +89,12 @@ Status NeighborLists::build(const Sites& sites, const RunControl& control)
     sum += distance;
   }
   m_spacing = near > 0 ? sum / (static_cast<double>(near) * count) : 0.0;
-  return done ? Status::success() : Status::cancelled();
+  if (!done)
+  {
+    m_search.reset(); // half-filled lists are none
+    return Status::cancelled();
+  }
+  return Status::success();
 }
 
 const std::vector<Neighbor>& LongerLists::longerThan(

@@ -26,6 +26,10 @@ namespace remesh
 class NeighborLists
 {
 public:
+  NeighborLists() = default;
+  NeighborLists(const NeighborLists&) = delete; // the tree points into this object
+  NeighborLists& operator=(const NeighborLists&) = delete;
+
   /** Makes the lists valid for these sites: builds them if the sites have moved too far. */
   Status update(const Sites& sites, const RunControl& control);
 
