@@ -1,5 +1,6 @@
 #include "Adaptors/ExecutionScope.h"
 
+#include "vtkSMP.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -9,17 +10,11 @@ namespace remesh
 {
 namespace
 {
-/** Whether vtkSMPTools has a back-end, found by trying it once. */
+/** Whether this VTK was built with a back-end; asking vtkSMPTools for one it lacks prints. */
 bool hasBackend(const std::string& backend)
 {
-  const std::string before = vtkSMPTools::GetBackend();
-  if (before == backend)
-  {
-    return true;
-  }
-  const bool has = vtkSMPTools::SetBackend(backend.c_str());
-  vtkSMPTools::SetBackend(before.c_str());
-  return has;
+  return backend == "Sequential" || (backend == "STDThread" && VTK_SMP_ENABLE_STDTHREAD) ||
+    (backend == "TBB" && VTK_SMP_ENABLE_TBB);
 }
 }
 

@@ -31,7 +31,7 @@ Status takeIn(
         box.AddPoint(soup.points[point].data());
       }
     }
-    options.mergeDistance = mergeTolerance * box.GetDiagonalLength();
+    options.mergeDistance = box.IsValid() ? mergeTolerance * box.GetDiagonalLength() : 0.0;
   }
   return buildSurfaceMesh(soup, options, control, prepared.mesh, prepared.intake);
 }

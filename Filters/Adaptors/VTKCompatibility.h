@@ -10,11 +10,20 @@
 
 namespace remesh
 {
-/** Whether the user asked a filter to stop. Only for the thread that executes it. */
+/**
+ * Whether the user asked a filter, or since VTK 9.2 one upstream, to stop. Only for the thread that
+ * executes it.
+ */
 inline bool abortRequested(vtkAlgorithm* algorithm)
 {
 #if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 2
-  return algorithm->CheckAbort();
+  // CheckAbort does not see a flag that was set without its time.
+  const bool asked = algorithm->GetAbortExecute() != 0 || algorithm->CheckAbort();
+  if (asked)
+  {
+    algorithm->SetAbortOutput(true);
+  }
+  return asked;
 #else
   return algorithm->GetAbortExecute() != 0;
 #endif

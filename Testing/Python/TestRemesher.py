@@ -152,6 +152,7 @@ class TestRemesher(Testing.vtkTest):
         self.assertLess(max(progress), 0.95)
         self.assertEqual(remesher.GetOutput().GetNumberOfPoints(), 0)
         remesher.RemoveObserver(tag)
+        remesher.SetAbortExecute(0)
         remesher.Modified()
         remesher.Update()
         self.assertEqual(remesher.GetOutput().GetNumberOfPoints(), 200)
