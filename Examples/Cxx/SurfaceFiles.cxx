@@ -192,8 +192,10 @@ std::string ObjText(vtkPolyData* surface)
 /** vtkPLYWriter does not notice a full disk; what it wrote is read to find out. */
 void WritePly(vtkPolyData* surface, const std::string& path)
 {
+  vtkNew<vtkPolyData> geometry; // newer writers warn of normals in double precision
+  geometry->CopyStructure(surface);
   vtkNew<vtkPLYWriter> writer;
-  writer->SetInputData(surface);
+  writer->SetInputData(geometry);
   writer->SetFileName(path.c_str());
   writer->SetFileTypeToBinary();
   writer->Write();

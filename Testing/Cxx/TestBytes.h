@@ -20,7 +20,7 @@ namespace remesh::test
 /** Raw memory of an array, or the strings of a string array. */
 inline std::string bytesOf(vtkAbstractArray* array)
 {
-  std::string bytes = std::string(array->GetClassName()) + " " +
+  std::string bytes = std::string(array->GetDataTypeAsString()) + " " +
     std::to_string(array->GetNumberOfComponents()) + "x" +
     std::to_string(array->GetNumberOfTuples()) + ":";
   if (auto* strings = vtkStringArray::SafeDownCast(array))

@@ -149,7 +149,8 @@ class TestRemesher(Testing.vtkTest):
         tag = remesher.AddObserver("ProgressEvent", watch)
         remesher.Update()
         self.assertEqual(progress, sorted(progress))
-        self.assertLess(max(progress), 0.95)
+        # Newer executives end with a 1 of their own.
+        self.assertLess(max(value for value in progress if value < 1), 0.95)
         self.assertEqual(remesher.GetOutput().GetNumberOfPoints(), 0)
         remesher.RemoveObserver(tag)
         remesher.SetAbortExecute(0)
