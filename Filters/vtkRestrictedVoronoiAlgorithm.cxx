@@ -3,6 +3,7 @@
 #include "vtkEmbeddedSurfaceInternals.h"
 
 #include "Adaptors/DiagramOutput.h"
+#include "Adaptors/MemoryCheck.h"
 #include "Adaptors/ProgressAdaptor.h"
 #include "Adaptors/SitesInput.h"
 
@@ -183,6 +184,11 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       {
         status = remesh::readSites(sites, prepared, given);
         options.initialSites = given.sites;
+      }
+      else if (status.ok() && options.numberOfSites <= remesh::maximumIndex)
+      {
+        status = remesh::checkMemory(options.numberOfSites, prepared.surface.dimension,
+          options.quasiNewton.historyLength);
       }
       facts.Seconds["intake"] = secondsSince(start);
       return status.ok() ? remesh::remesh(prepared.mesh, prepared.surface, options,

@@ -202,6 +202,8 @@ void testNumbersOfPoints()
     checkCase<vtkAnisotropicRemesher>("too few points", goodInput(), "at least 4 points",
       [n](vtkAnisotropicRemesher* filter) { filter->SetNumberOfPoints(n); }, good);
   }
+  checkCase<vtkAnisotropicRemesher>("points beyond the memory", goodInput(), "GB of memory",
+    [](vtkAnisotropicRemesher* filter) { filter->SetNumberOfPoints(2000000000); }, good);
   for (const vtkIdType n : { vtkIdType(1) << 31, vtkIdType(VTK_ID_MAX) })
   {
     checkCase<vtkAnisotropicRemesher>("too many points", goodInput(), std::to_string(n),
