@@ -11,8 +11,8 @@
  *
  * Where the mesh is no manifold in a few places of a manifold surface (at most 1 % of the points), as
  * at thin tips, the sites that matter least are moved there, and two more Lloyd iterations follow,
- * up to eight times: then `Convergence` has three more rows each, the first with step length 0 and
- * a higher energy.
+ * up to eight times. That is no part of the optimisation: `Convergence` ends before it, and nothing
+ * is moved when both numbers of iterations are 0.
  *
  * Input port 0: the surface. Input port 1 (optional): initial sites. Their number replaces
  * `NumberOfPoints`; their point array `Embedding`, if it has d components, is their place in R^d,

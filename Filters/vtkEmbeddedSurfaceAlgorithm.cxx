@@ -28,6 +28,11 @@ remesh::Status findChosenArray(
   {
     return remesh::Status::success();
   }
+  if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    return remesh::Status::invalid(
+      std::string("The array \"") + name + "\", chosen as the " + role + ", must be a point array.");
+  }
   array = input->GetPointData()->GetArray(name);
   if (array || std::string(name) == "None")
   {

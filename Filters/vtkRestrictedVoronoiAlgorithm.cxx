@@ -151,11 +151,60 @@ bool writePorts(const remesh::DiagramSource& source, const PortChoice& choice,
   }
   return true;
 }
+
+/** The caller's sites, or a check that as many as are asked for can be held. */
+remesh::Status takeSites(vtkPointSet* sites, const remesh::PreparedSurface& prepared,
+  remesh::RemeshOptions& options, remesh::GivenSites& given)
+{
+  if (sites)
+  {
+    const remesh::Status status = remesh::readSites(sites, prepared, given);
+    options.initialSites = given.sites;
+    return status;
+  }
+  return options.numberOfSites <= remesh::maximumIndex
+    ? remesh::checkMemory(options.numberOfSites, prepared.surface.dimension,
+        options.quasiNewton.historyLength)
+    : remesh::Status::success(); // the core has its own word for that
+}
+
+/** What a user should know of a result that is not as good as it could be. */
+std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
+  const remesh::GivenSites& given, const remesh::RemeshOptions& options,
+  const remesh::RemeshResult& result)
+{
+  std::vector<std::string> warnings = prepared.warnings;
+  if (!given.warning.empty())
+  {
+    warnings.push_back(given.warning);
+  }
+  if (!options.optimize)
+  {
+    return warnings;
+  }
+  if (result.emptyCells > 0)
+  {
+    warnings.push_back(std::to_string(result.emptyCells) +
+      " sites have empty cells: the surface cannot hold so many points.");
+  }
+  const remesh::Offset extra = result.components.count() + result.emptyCells - result.sites.count();
+  if (100 * extra > result.sites.count())
+  {
+    warnings.push_back("The mesh has " + std::to_string(extra) +
+      " points more than asked for, as so many cells reach several parts of the surface. More "
+      "points or less anisotropy help.");
+  }
+  if (prepared.intake.nonManifoldEdges == 0 && result.dual.numberOfNonManifoldEdges > 0)
+  {
+    warnings.push_back("The mesh has " + std::to_string(result.dual.numberOfNonManifoldEdges) +
+      " non-manifold edges where the surface has none. More points or less anisotropy help.");
+  }
+  return warnings;
+}
 }
 
 int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, remesh::RemeshOptions& options, vtkPointSet* sites,
-  int seed)
+  vtkInformationVector* outputVector, remesh::RemeshOptions& options, vtkPointSet* sites, int seed)
 {
   using Clock = std::chrono::steady_clock;
   const auto secondsSince = [](Clock::time_point start)
@@ -180,33 +229,22 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
         status = remesh::prepareSurface(input, request, control.part(0.0, 0.1), prepared);
       }
       facts.Intake = prepared.intake;
-      if (status.ok() && sites)
+      if (status.ok())
       {
-        status = remesh::readSites(sites, prepared, given);
-        options.initialSites = given.sites;
-      }
-      else if (status.ok() && options.numberOfSites <= remesh::maximumIndex)
-      {
-        status = remesh::checkMemory(options.numberOfSites, prepared.surface.dimension,
-          options.quasiNewton.historyLength);
+        status = takeSites(sites, prepared, options, given);
       }
       facts.Seconds["intake"] = secondsSince(start);
-      return status.ok() ? remesh::remesh(prepared.mesh, prepared.surface, options,
-                             control.part(0.1, 0.95), result)
-                         : status;
+      return status.ok()
+        ? remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95), result)
+        : status;
     });
   if (outcome != vtkInternals::Outcome::Done)
   {
     return outcome == vtkInternals::Outcome::Nothing;
   }
-  for (const std::string& warning : prepared.warnings)
+  for (const std::string& warning : warningsOf(prepared, given, options, result))
   {
     vtkWarningMacro(<< warning);
-  }
-  if (options.optimize && result.emptyCells > 0)
-  {
-    vtkWarningMacro(<< result.emptyCells
-                    << " sites have empty cells: the surface cannot hold so many points.");
   }
 
   const Clock::time_point start = Clock::now();
@@ -225,6 +263,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   facts.Seconds["sampling"] = result.seconds.sampling;
   facts.Seconds["lloyd"] = result.seconds.lloyd;
   facts.Seconds["newton"] = result.seconds.newton;
+  facts.Seconds["repair"] = result.seconds.repair;
   facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
   return 1;
 }

@@ -89,7 +89,8 @@ public:
 
   /**
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
-   * "sampling", "lloyd", "newton", "diagram" (diagram, dual and output arrays). 0 for other names.
+   * "sampling", "lloyd", "newton", "repair" (moving sites to where the mesh is no manifold),
+   * "diagram" (diagram, dual and output arrays). 0 for other names.
    */
   double GetPhaseSeconds(const char* phase) const;
 

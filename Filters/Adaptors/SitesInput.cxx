@@ -101,6 +101,11 @@ Status readSites(vtkPointSet* input, const PreparedSurface& prepared, GivenSites
   if (!embedding || embedding->GetNumberOfComponents() != d ||
     embedding->GetNumberOfTuples() != count)
   {
+    if (embedding)
+    {
+      given.warning = "The sites' array \"Embedding\" has not the " + std::to_string(d) +
+        " components of the surface's embedding: the sites are put on the surface instead.";
+    }
     projectOnSurface(given.places, prepared, given.sites);
     return Status::success();
   }

@@ -15,6 +15,7 @@ struct GivenSites
 {
   Sites sites;                ///< n x d, scaled units
   std::vector<Point3> places; ///< n, as given, in R^3
+  std::string warning;        ///< what was not as it should be, or empty
 };
 
 /**

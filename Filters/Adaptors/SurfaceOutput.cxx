@@ -4,14 +4,34 @@
 #include "vtkIdList.h"
 #include "vtkPointData.h"
 
+#include <cstring>
+
 namespace remesh
 {
 namespace
 {
+/** The input's point arrays but ghost marks and those that do not fit its points. */
+vtkSmartPointer<vtkPointData> soundArrays(vtkPolyData* input)
+{
+  auto sound = vtkSmartPointer<vtkPointData>::New();
+  sound->ShallowCopy(input->GetPointData());
+  for (int k = sound->GetNumberOfArrays() - 1; k >= 0; --k)
+  {
+    vtkAbstractArray* array = sound->GetAbstractArray(k);
+    const bool isGhost = array->GetName() &&
+      std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0;
+    if (isGhost || array->GetNumberOfTuples() != input->GetNumberOfPoints())
+    {
+      sound->RemoveArray(k);
+    }
+  }
+  return sound;
+}
+
 /** The input's point arrays, interpolated where each vertex lies on the input. */
 void interpolateArrays(const DiagramSource& source, vtkPointData* data)
 {
-  vtkPointData* input = source.input->GetPointData();
+  const vtkSmartPointer<vtkPointData> input = soundArrays(source.input);
   const auto& locations = source.result.locations;
   const auto count = static_cast<vtkIdType>(locations.size());
   data->InterpolateAllocate(input, count);

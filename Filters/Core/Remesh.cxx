@@ -121,8 +121,9 @@ Status settle(const EmbeddedSurface& surface, std::uint64_t seed, const RunContr
   RemeshResult& result)
 {
   RestrictedVoronoi voronoi(surface);
+  Convergence apart; // not the optimisation's
   Status status = relaxLloyd(voronoi, surface, settlingSteps, seed, control, result.sites,
-    result.sums, result.convergence, result.emptyCells);
+    result.sums, apart, result.emptyCells);
   roundToCaller(surface, result.sites);
   result.evaluations += voronoi.evaluations();
   return status;
@@ -133,24 +134,31 @@ Status finish(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
   const RunControl& control, RemeshResult& result)
 {
   result.edges = buildEdgeTable(mesh.facetPoints);
-  const bool mayRepair = options.optimize && isManifold(result.edges);
+  const bool mayRepair = options.optimize &&
+    options.lloydIterations + options.quasiNewton.iterations > 0 && isManifold(result.edges);
   RunControl rest = control; // each round fills half of the progress that is left
   for (int round = 0;; ++round, rest = rest.step(1, 2))
   {
+    Stopwatch watch;
     if (Status status = diagramAndDual(mesh, surface, rest.step(0, 2), result); !status.ok())
     {
       return status;
     }
-    if (!mayRepair || round == mostRepairs ||
-      moveSitesToDefects(
-        surface, result.diagram, result.components, result.dual, result.sums, result.sites) == 0)
+    result.seconds.diagram += watch.lap();
+    const Index moved = mayRepair && round < mostRepairs
+      ? moveSitesToDefects(
+          surface, result.diagram, result.components, result.dual, result.sums, result.sites)
+      : 0;
+    if (moved == 0)
     {
       return Status::success();
     }
+    result.movedSites += moved;
     if (Status status = settle(surface, options.seed, control.silent(), result); !status.ok())
     {
       return status;
     }
+    result.seconds.repair += watch.lap();
   }
 }
 }
@@ -178,8 +186,6 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     roundToCaller(surface, result.sites);
     result.evaluations = voronoi.evaluations();
   }
-  watch.lap();
-
   control.enterPhase("Restricted Voronoi diagram", 0.85, 1.0);
   if (Status status = finish(mesh, surface, options, control, result); !status.ok())
   {
@@ -190,11 +196,13 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     result.convergence.add(0.0, 0.0, 0.0);
     result.emptyCells = result.sums.countEmpty();
   }
-  // The last row is that of the diagram given back, to the bit.
-  result.convergence.rows.back().energy = result.sums.totalEnergy;
-  result.convergence.rows.back().gradientNorm = result.sums.gradientNorm;
+  if (result.movedSites == 0)
+  {
+    // The last row is that of the diagram given back, to the bit.
+    result.convergence.rows.back().energy = result.sums.totalEnergy;
+    result.convergence.rows.back().gradientNorm = result.sums.gradientNorm;
+  }
   control.report(1.0);
-  result.seconds.diagram = watch.lap();
   return Status::success();
 }
 }

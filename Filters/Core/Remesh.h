@@ -47,6 +47,7 @@ struct RemeshResult
   std::vector<Index> numbersOfNeighbors; ///< n
   Convergence convergence;
   Index emptyCells = 0;
+  Index movedSites = 0; ///< to where the dual was no manifold; `convergence` ends before that
   int evaluations = 0;
 
   struct Seconds
@@ -54,6 +55,7 @@ struct RemeshResult
     double sampling = 0.0;
     double lloyd = 0.0;
     double newton = 0.0;
+    double repair = 0.0;
     double diagram = 0.0;
   } seconds; ///< wall time of the phases
 };

@@ -158,7 +158,7 @@ void testProgressWithRepairs()
     runUntil(mesh, surface, options, Schedule::Smp, 1000000, StatusCode::Ok);
     RemeshResult result;
     CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
-    repaired += result.convergence.rows.size() > 6; // 1 + 2 Lloyd + 3 quasi-Newton
+    repaired += result.movedSites > 0;
   }
   CHECK(repaired > 0);
 }

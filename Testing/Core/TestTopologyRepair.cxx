@@ -56,9 +56,8 @@ void testSpikes()
     CHECK(shape.isManifold());
     CHECK_EQUAL(shape.borderEdges, 0);
     CHECK_EQUAL(shape.vertices, static_cast<int>(count));
-    const auto& rows = result.convergence.rows;
-    CHECK_NEAR(rows.back().energy, result.sums.totalEnergy, 1e-13 * result.sums.totalEnergy);
-    repaired += rows.size() > 36; // 1 + 5 Lloyd + 30 quasi-Newton
+    CHECK_EQUAL(result.convergence.rows.size(), std::size_t(36)); // 1 + 5 Lloyd + 30 quasi-Newton
+    repaired += result.movedSites > 0;
   }
   CHECK(repaired > 0);
 }
@@ -90,6 +89,24 @@ void testMovesOnlyDonors()
   CHECK(seen > 0);
 }
 
+/** Without iterations the sites are the caller's, defects or not. */
+void testNothingAsked()
+{
+  const SurfaceMesh mesh = spikySphere();
+  const EmbeddedSurface surface = inSpace(mesh);
+  RemeshOptions options = withSites(800, 1);
+  options.lloydIterations = 0;
+  options.quasiNewton.iterations = 0;
+  options.initialSites = test::sampled(surface, 800, 1);
+  RemeshResult result;
+  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+  CHECK_EQUAL(result.movedSites, 0);
+  for (std::size_t k = 0; k < result.sites.coordinates.size(); ++k)
+  {
+    CHECK_NEAR(result.sites.coordinates[k], options.initialSites.coordinates[k], 1e-15);
+  }
+}
+
 /** Too few points for the shape: left as it is, and it ends. */
 void testHopeless()
 {
@@ -105,6 +122,7 @@ int TestTopologyRepair(int, char*[])
 {
   testSpikes();
   testMovesOnlyDonors();
+  testNothingAsked();
   testHopeless();
   return test::result();
 }

@@ -16,7 +16,7 @@ struct ConvergenceRow
   int iteration = 0;
   double energy = 0.0;
   double gradientNorm = 0.0;
-  double stepLength = 0.0; ///< 0 in row 0 and where sites were moved, 1 for a Lloyd step
+  double stepLength = 0.0; ///< 0 in row 0, 1 for a Lloyd step
   double seconds = 0.0;    ///< since the clock's start
 };
 
