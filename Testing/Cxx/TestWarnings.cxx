@@ -1,0 +1,100 @@
+// What is degraded or does not fit is told once, and does no harm.
+
+#include "TestHelpers.h"
+
+#include "vtkAnisotropicRemesher.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> sphere()
+{
+  return polyDataOf(icosphere(3));
+}
+
+/** Runs and expects one warning that contains `part`, or none if `part` is empty. */
+void checkWarning(const std::string& what, vtkAnisotropicRemesher* filter, const std::string& part)
+{
+  Messages messages(filter);
+  filter->Update();
+  check(messages.errors().empty(), __FILE__, __LINE__, what + ": an error");
+  const auto& warnings = messages.warnings();
+  const bool right = part.empty()
+    ? warnings.empty()
+    : warnings.size() == 1 && warnings[0].find(part) != std::string::npos;
+  check(right, __FILE__, __LINE__,
+    what + ": " + std::to_string(warnings.size()) + " warnings" +
+      (warnings.empty() ? "" : ", the first: " + warnings[0]));
+}
+
+vtkSmartPointer<vtkAnisotropicRemesher> remesherOf(vtkPolyData* input, vtkIdType points)
+{
+  auto filter = vtkSmartPointer<vtkAnisotropicRemesher>::New();
+  filter->SetInputData(input);
+  filter->SetNumberOfPoints(points);
+  return filter;
+}
+
+/** Two sheets so close that a cell reaches both: twice as many points. */
+void testExtraPoints()
+{
+  TriangleSoup soup = gridPatch(8, 8);
+  append(soup, gridPatch(8, 8), Point3(0, 0, 1e-6));
+  const auto filter = remesherOf(polyDataOf(soup), 20);
+  filter->SetAnisotropy(0.0);
+  checkWarning("two sheets", filter, "points more than asked for");
+}
+
+void testNothingToTell()
+{
+  checkWarning("a sphere", remesherOf(sphere(), 100), "");
+}
+
+/** Arrays of another length than the points, and ghost marks, are left out. */
+void testUnfitArrays()
+{
+  const auto input = sphere();
+  vtkNew<vtkDoubleArray> shortArray;
+  shortArray->SetName("Short");
+  shortArray->SetNumberOfValues(3);
+  shortArray->Fill(1.0);
+  input->GetPointData()->AddArray(shortArray);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(input->GetNumberOfPoints());
+  ghosts->Fill(vtkDataSetAttributes::DUPLICATEPOINT);
+  input->GetPointData()->AddArray(ghosts);
+  const auto filter = remesherOf(input, 100);
+  checkWarning("unfit arrays", filter, "");
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 100);
+  CHECK(!filter->GetOutput()->GetPointData()->HasArray("Short"));
+  CHECK(!filter->GetOutput()->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+/** Sites embedded in another dimension are put on the surface, and that is told. */
+void testSitesOfAnotherDimension()
+{
+  const auto six = remesherOf(sphere(), 50);
+  six->Update();
+  const auto three = remesherOf(sphere(), 50);
+  three->SetEmbeddingMode(vtkAnisotropicRemesher::POSITION);
+  three->SetInitialSitesData(six->GetSitesOutput());
+  checkWarning("sites of another dimension", three, "has not the 3 components");
+  CHECK_EQUAL(three->GetOutput()->GetNumberOfPoints(), 50);
+}
+}
+
+int TestWarnings(int, char*[])
+{
+  testNothingToTell();
+  testExtraPoints();
+  testUnfitArrays();
+  testSitesOfAnotherDimension();
+  return result();
+}
