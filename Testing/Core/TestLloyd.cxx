@@ -69,6 +69,29 @@ void testDescent()
   }
 }
 
+/**
+ * After many steps the energy is near that of the hexagonal lattice, which is the least possible in
+ * the plane: G = n F / A^2 against 5 / (18 sqrt 3).
+ */
+void testHexagonal()
+{
+  const double hexagonal = 5.0 / (18.0 * std::sqrt(3.0));
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
+  for (const int d : { 3, 6 })
+  {
+    const EmbeddedSurface surface = test::embedded(mesh, d);
+    Sites sites = test::sampled(surface, 500, 1);
+    RestrictedVoronoi voronoi(surface);
+    CellSums sums;
+    Convergence convergence;
+    Index empty = 0;
+    CHECK(
+      relaxLloyd(voronoi, surface, 100, 1, RunControl(), sites, sums, convergence, empty).ok());
+    const double g = sites.count() * sums.totalEnergy / (surface.mass * surface.mass);
+    CHECK(g > 0.9 * hexagonal && g <= 1.03 * hexagonal);
+  }
+}
+
 /** -2 moment against central differences of the energy; exact but for h^2 and rounding / h. */
 void testGradient()
 {
@@ -195,6 +218,7 @@ void testOneSite()
 int TestLloyd(int, char*[])
 {
   testDescent();
+  testHexagonal();
   testGradient();
   testEmptyCells();
   testTouchingCells();
