@@ -29,6 +29,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(remesher->GetOutputPort());
   writer->SetFileName(argc > 1 ? argv[1] : "remeshed.vtp");
+  writer->SetDataModeToBinary();
   if (writer->Write() == 0 || remesher->GetOutput()->GetNumberOfPolys() == 0)
   {
     return EXIT_FAILURE;

@@ -217,8 +217,8 @@ vtkSmartPointer<vtkAlgorithm> MakeVtkWriter(
     auto writer = vtkSmartPointer<vtkXMLPolyDataWriter>::New();
     writer->SetInputData(surface);
     writer->SetFileName(path.c_str());
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
+    // Not appended: ParaView 5.11 cannot read that with the newest libexpat of Debian 12.
+    writer->SetDataModeToBinary();
     writer->SetHeaderTypeToUInt64();
     return writer;
   }

@@ -2,7 +2,7 @@
  * Surfaces in and out, the format chosen by the file's extension: .vtp, .vtk, .ply, .stl, .obj
  * (in any case).
  *
- * VTK's readers give STL and OBJ coordinates in single precision. Written are VTP (appended,
+ * VTK's readers give STL and OBJ coordinates in single precision. Written are VTP (binary,
  * compressed) and VTK (binary) with all arrays in their own precision, PLY and STL (binary, single
  * precision) and OBJ with the geometry alone.
  */

@@ -186,6 +186,7 @@ def write(surface, folder, name):
     writer = vtkXMLPolyDataWriter()
     writer.SetInputData(surface)
     writer.SetFileName(os.path.join(folder, name + ".vtp"))
+    writer.SetDataModeToBinary()
     good = writer.Write() and writer.GetErrorCode() == 0
     bare = vtkPolyData()
     bare.CopyStructure(surface)

@@ -42,6 +42,7 @@ def main(source, target, points=3000, anisotropy=0.05):
     writer = vtkXMLPolyDataWriter()
     writer.SetInputConnection(remesher.GetOutputPort())
     writer.SetFileName(target)
+    writer.SetDataModeToBinary()
     writer.Write()
 
 

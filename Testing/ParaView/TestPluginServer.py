@@ -67,7 +67,7 @@ assert len(here) > 20, sorted(here)
 
 # The server ends with its client, when this script does, or at its own time-out.
 server, port = start_server()
-Connect("localhost", port)
+Connect("127.0.0.1", port)
 LoadPlugin(PLUGIN, remote=True, ns=globals())
 LoadPlugin(PLUGIN, remote=False, ns=globals())
 there = run()

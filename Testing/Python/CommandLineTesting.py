@@ -45,6 +45,8 @@ def write(surface, path):
     writer = WRITERS[path.rsplit(".", 1)[1]]()
     writer.SetInputData(surface)
     writer.SetFileName(path)
+    if isinstance(writer, vtkXMLPolyDataWriter):
+        writer.SetDataModeToBinary()  # ParaView 5.11 fails on appended data with newer libexpat
     writer.Write()
 
 
