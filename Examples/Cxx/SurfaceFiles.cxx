@@ -209,19 +209,26 @@ void WritePly(vtkPolyData* surface, const std::string& path)
   }
 }
 
+/**
+ * VTK's XML, in memory first: in this mode the writer crashes on a full disk. The mode that does
+ * not, appended, is one that ParaView 5.11 cannot read with the newest libexpat of Debian 12.
+ */
+void WriteVtp(vtkPolyData* surface, const std::string& path, ProgressBar* progress)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(surface);
+  writer->SetDataModeToBinary();
+  writer->SetHeaderTypeToUInt64();
+  writer->WriteToOutputStringOn();
+  progress->SetPhase("Writing");
+  writer->AddObserver(vtkCommand::ProgressEvent, progress);
+  writer->Update();
+  WriteBytes(path, writer->GetOutputString());
+}
+
 vtkSmartPointer<vtkAlgorithm> MakeVtkWriter(
   vtkPolyData* surface, const std::string& extension, const std::string& path)
 {
-  if (extension == ".vtp")
-  {
-    auto writer = vtkSmartPointer<vtkXMLPolyDataWriter>::New();
-    writer->SetInputData(surface);
-    writer->SetFileName(path.c_str());
-    // Not appended: ParaView 5.11 cannot read that with the newest libexpat of Debian 12.
-    writer->SetDataModeToBinary();
-    writer->SetHeaderTypeToUInt64();
-    return writer;
-  }
   if (extension == ".vtk")
   {
     auto writer = vtkSmartPointer<vtkPolyDataWriter>::New();
@@ -289,6 +296,11 @@ void WriteSurface(vtkPolyData* surface, const std::string& path, const std::stri
   if (extension == ".ply")
   {
     WritePly(surface, temporary);
+    return;
+  }
+  if (extension == ".vtp")
+  {
+    WriteVtp(surface, temporary, progress);
     return;
   }
   if (extension == ".obj")

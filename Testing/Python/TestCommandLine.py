@@ -152,8 +152,8 @@ class TestCannot(CommandLineTest):
         for value in (float("nan"), float("inf")):
             surface = sphere()
             surface.GetPoints().SetPoint(7, 0.0, value, 0.0)
-            write(surface, self.input("wrong.vtp"))
-            self.fail_with(1, "cannot remesh .*7", self.input("wrong.vtp"), "out.vtp", *SMALL)
+            write(surface, self.input("wrong.ply"))
+            self.fail_with(1, "cannot remesh .*7", self.input("wrong.ply"), "out.vtp", *SMALL)
 
     def test_truncated(self):
         for extension in FORMATS:
