@@ -65,11 +65,26 @@ OutputFiles::~OutputFiles()
   }
 }
 
+void OutputFiles::Protect(const std::string& path)
+{
+  std::error_code error;
+  const fs::path place = fs::canonical(path, error);
+  if (!error)
+  {
+    this->Protected.push_back(place.string());
+  }
+}
+
 std::size_t OutputFiles::Add(const std::string& path)
 {
   File file;
   file.Name = path;
   file.Final = ResolveTarget(path).string();
+  if (std::find(this->Protected.begin(), this->Protected.end(), file.Final) !=
+    this->Protected.end())
+  {
+    throw Failure("'" + path + "' is an input, and would be overwritten", EXIT_USAGE);
+  }
   // With its extension, which vtkPLYWriter would append.
   file.Temporary =
     file.Final + ".partial-" + std::to_string(getpid()) + LowerCaseExtension(file.Final);

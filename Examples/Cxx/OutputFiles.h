@@ -18,10 +18,13 @@ public:
   /** Removes what was written but not committed. */
   ~OutputFiles();
 
+  /** A file that is read: no output may take its place. */
+  void Protect(const std::string& path);
+
   /**
    * Announces a file and tries whether it can be written; to be called before the long run.
    * Links are followed. Throws Failure for a folder, a device, a missing or read-only folder, or a
-   * file announced before. Returns the number of the file.
+   * file announced or protected before. Returns the number of the file.
    */
   std::size_t Add(const std::string& path);
 
@@ -39,6 +42,7 @@ private:
     std::string Temporary;
   };
   std::vector<File> Files;
+  std::vector<std::string> Protected;
   bool Committed = false;
 };
 

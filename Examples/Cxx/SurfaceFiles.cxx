@@ -26,7 +26,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -96,6 +98,33 @@ void CheckStl(const std::string& path)
   }
 }
 
+/** vtkOBJReader takes what is no finite number for 0. */
+void CheckObj(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string line;
+  for (long number = 1; std::getline(file, line); ++number)
+  {
+    const std::size_t start = line.find_first_not_of(" \t");
+    if (start == std::string::npos || line.compare(start, 1, "v") != 0 ||
+      line.find_first_of(" \t", start) != start + 1)
+    {
+      continue;
+    }
+    const char* rest = line.c_str() + start + 1;
+    for (int c = 0; c < 3; ++c)
+    {
+      char* end = nullptr;
+      const double value = std::strtod(rest, &end);
+      if (end == rest || !std::isfinite(value))
+      {
+        throw Failure("line " + std::to_string(number) + " has no three finite coordinates");
+      }
+      rest = end;
+    }
+  }
+}
+
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
 {
   const std::string extension = LowerCaseExtension(path);
@@ -132,6 +161,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
     reader->MergingOff(); // the filter merges
     return reader;
   }
+  CheckObj(path);
   auto reader = vtkSmartPointer<vtkOBJReader>::New();
   reader->SetFileName(path.c_str());
   return reader;

@@ -270,6 +270,8 @@ void RemeshSurface(const Options& options)
   Run run(options);
   const std::vector<Output> outputs = ListOutputs(run);
   OutputFiles files;
+  files.Protect(options.Input);
+  files.Protect(options.InitialSites);
   for (const Output& output : outputs)
   {
     files.Add(output.Path);

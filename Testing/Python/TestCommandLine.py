@@ -64,6 +64,16 @@ class TestUsage(CommandLineTest):
         os.symlink(".", self.path("here"))
         self.fail_with(2, "two outputs", self.input(), "out.vtp", "--cells", "here/out.vtp")
 
+    def test_inputs_are_kept(self):
+        before = content(self.input())
+        os.symlink(self.input(), self.path("link.vtp"))
+        self.fail_with(2, "is an input", self.input(), "link.vtp")
+        self.fail_with(2, "is an input", self.input(), "out.vtp", "--report", self.input())
+        write(sphere(), self.path("sites.vtp"))
+        self.fail_with(2, "is an input", self.input(), "out.vtp", "--initial-sites", "sites.vtp",
+                       "--sites", "sites.vtp")
+        self.assertEqual(content(self.input()), before)
+
     def test_help_and_manual_page(self):
         result = self.run_program("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
@@ -149,6 +159,9 @@ class TestCannot(CommandLineTest):
         self.fail_with(1, "cannot remesh .*4", *files, "--initial-sites", few)
 
     def test_not_finite(self):
+        for value in (b"nan", b"inf", b"x", b""):
+            wrong = self.save("wrong.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 %s\nf 1 2 3\n" % value)
+            self.fail_with(1, "line 3", wrong, "out.vtp")
         for value in (float("nan"), float("inf")):
             surface = sphere()
             surface.GetPoints().SetPoint(7, 0.0, value, 0.0)
