@@ -153,7 +153,11 @@ std::vector<Option> MakeTable()
 {
   using Limits = std::numeric_limits<int>;
   return {
-    { "--points", "N", "Number of points of the new mesh, at least 4. Default 10000.", SetPoints },
+    { "--points", "N",
+      "Number of points of the new mesh, at least 4. There are more where a point's region of the "
+      "surface falls into several pieces: several times as many on thin or many-part surfaces. "
+      "Default 10000.",
+      SetPoints },
     { "--anisotropy", "S",
       "How much the normals count, as a fraction of the bounding-box diagonal, 0 to 1. "
       "Default 0.04; usual are 0.02 to 0.1; 0 is isotropic.",
@@ -205,7 +209,7 @@ std::vector<Option> MakeTable()
       Text("--report", &Options::Report) },
     { "--quiet", "", "No progress bar, no warnings.", Flag(&Options::Quiet) },
     { "--version", "", "Print the version and stop.", Flag(&Options::Version) },
-    { "--help", "", "Print this text and stop.", Flag(&Options::Help) },
+    { "--help", "", "Print this text and stop; also -h.", Flag(&Options::Help) },
   };
 }
 
@@ -282,7 +286,7 @@ Options ParseCommandLine(const std::vector<std::string>& arguments)
     }
     const std::size_t sign = argument.find('=');
     const bool attached = sign != std::string::npos;
-    const Option& option = FindOption(argument.substr(0, sign));
+    const Option& option = FindOption(argument == "-h" ? "--help" : argument.substr(0, sign));
     std::string value = attached ? argument.substr(sign + 1) : std::string();
     if (option.Value.empty() && attached)
     {

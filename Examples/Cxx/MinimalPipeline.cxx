@@ -30,7 +30,8 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(remesher->GetOutputPort());
   writer->SetFileName(argc > 1 ? argv[1] : "remeshed.vtp");
   writer->SetDataModeToBinary();
-  if (writer->Write() == 0 || remesher->GetOutput()->GetNumberOfPolys() == 0)
+  writer->Write(); // returns 1 even for a file that it cannot open
+  if (writer->GetErrorCode() != 0 || remesher->GetOutput()->GetNumberOfPolys() == 0)
   {
     return EXIT_FAILURE;
   }

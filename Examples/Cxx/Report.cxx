@@ -70,7 +70,7 @@ void AddSeconds(JsonWriter& json, vtkAnisotropicRemesher* remesher, const Second
 {
   json.BeginObject("seconds");
   json.Add("read", seconds.Read);
-  for (const char* phase : { "intake", "sampling", "lloyd", "newton", "diagram" })
+  for (const char* phase : { "intake", "sampling", "lloyd", "newton", "repair", "diagram" })
   {
     json.Add(phase, remesher->GetPhaseSeconds(phase));
   }

@@ -25,8 +25,10 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -72,29 +74,46 @@ void CheckReadable(const std::string& path)
   }
 }
 
-/** vtkSTLReader takes whatever is there as triangles; a binary file tells how many there are. */
+/** Whether the text starts with "solid" in any case, perhaps after white space. */
+bool StartsWithSolid(const std::string& text)
+{
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  std::string word = start == std::string::npos ? "" : text.substr(start, 5);
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word == "solid" && text.find('\0') == std::string::npos;
+}
+
+/**
+ * vtkSTLReader takes whatever is there as triangles. A binary file has the size that its number of
+ * triangles asks for, whatever its header says; another is text, of which VTK finds the errors.
+ */
 void CheckStl(const std::string& path)
 {
-  constexpr std::int64_t headerSize = 84;
-  constexpr std::int64_t triangleSize = 50;
+  constexpr std::uint64_t headerSize = 84;
+  constexpr std::uint64_t triangleSize = 50;
   std::ifstream file(path, std::ios::binary);
-  std::string start(1024, '\0');
+  std::string start(headerSize, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
-  if (start.rfind("solid", 0) == 0 && start.find("facet") != std::string::npos)
+  std::uint64_t announced = 0;
+  for (int i = 0; i < 4 && start.size() == headerSize; ++i)
   {
-    return; // text
+    announced |= static_cast<std::uint64_t>(static_cast<unsigned char>(start[80 + i])) << (8 * i);
   }
-  const auto size = static_cast<std::int64_t>(fs::file_size(path));
-  std::int64_t announced = 0;
-  for (int i = 0; i < 4 && size >= headerSize; ++i)
+  if (start.size() == headerSize && fs::file_size(path) == headerSize + triangleSize * announced)
   {
-    announced |= static_cast<std::int64_t>(static_cast<unsigned char>(start[80 + i])) << (8 * i);
+    if (announced == 0)
+    {
+      throw Failure("it has no polygons");
+    }
+    return;
   }
-  if (size < headerSize + announced * triangleSize || (size - headerSize) % triangleSize != 0)
+  if (!StartsWithSolid(start))
   {
-    throw Failure(
-      "malformed STL file, its size does not fit its " + std::to_string(announced) + " triangles");
+    throw Failure("malformed STL file, it is no text that starts with 'solid', and its size does "
+                  "not fit a binary file of " +
+      std::to_string(announced) + " triangles");
   }
 }
 

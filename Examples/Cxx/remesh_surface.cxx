@@ -190,10 +190,13 @@ void Remesh(Run& run)
                                                            : vtkAnisotropicRemesher::STRATIFIED);
   remesher->SetGenerateVoronoiCells(!options.Cells.empty());
   remesher->SetGenerateEdges(!options.Edges.empty());
+  const std::size_t earlier = run.Log->GetWarnings().size();
   Execute(remesher, run);
   if (remesher->GetOutput()->GetNumberOfPoints() == 0)
   {
-    throw Failure("cannot remesh '" + options.Input + "': the result is empty");
+    const std::vector<std::string> warnings = run.Log->GetWarnings();
+    const std::string reason = warnings.size() > earlier ? ": " + warnings[earlier] : "";
+    throw Failure("cannot remesh '" + options.Input + "': the result is empty" + reason);
   }
   if (!options.EmbeddedSurface.empty())
   {

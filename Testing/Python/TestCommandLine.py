@@ -77,6 +77,7 @@ class TestUsage(CommandLineTest):
     def test_help_and_manual_page(self):
         result = self.run_program("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(self.run_program("-h").stdout, result.stdout)
         in_help = re.findall(r"^  (--[a-z-]+)(?: (\S+))?", result.stdout, re.MULTILINE)
         with open(MAN_PAGE, encoding="utf-8") as file:
             manual = file.read()
@@ -165,8 +166,43 @@ class TestCannot(CommandLineTest):
         for value in (float("nan"), float("inf")):
             surface = sphere()
             surface.GetPoints().SetPoint(7, 0.0, value, 0.0)
-            write(surface, self.input("wrong.ply"))
-            self.fail_with(1, "cannot remesh .*7", self.input("wrong.ply"), "out.vtp", *SMALL)
+            for extension, point in (("ply", "7"), ("stl", r"\d+")):
+                wrong = self.input("wrong." + extension)
+                write(surface, wrong)
+                self.fail_with(1, f"cannot remesh .*Point {point} is not finite", wrong, "out.vtp",
+                               *SMALL)
+
+    def test_stl(self):
+        def triangle(z):
+            return (f"facet normal 0 0 1\nouter loop\nvertex 0 0 {z}\nvertex 1 0 {z}\n"
+                    f"vertex 0 1 {z}\nendloop\nendfacet\n")
+        text = "solid x\n" + triangle(0) + "endsolid x\n"
+        record = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+
+        def binary(start, announced, records):
+            return start.ljust(80) + struct.pack("<I", announced) + records * record
+        good = [text, text.upper(), "\n \t" + text, "solid " + 200 * "x" + text[7:],
+                "solid x\n" + triangle(0) + triangle(1) + "endsolid x\n",
+                binary(b"solid facet", 1, 1), binary(b"other", 2, 2)]
+        for data in good:
+            with self.subTest(data=data[:20], size=len(data)):
+                path = self.save("good.stl", data if isinstance(data, bytes) else data.encode())
+                self.succeed(path, "out.vtp", "--points", "20", "--quiet")
+        wrong = [
+            ("no polygons", b"solid x\nendsolid x\n"),
+            ("no polygons", b" SOLID\nENDSOLID\n"),
+            ("no polygons", binary(b"solid", 0, 0)),
+            ("of 2 triangles", binary(b"other", 2, 1)),
+            ("of 1 triangles", binary(b"solid facet", 1, 2)),
+            ("line 4", text.replace("vertex 0 0 0", "vertex 0 0 z").encode()),
+        ]
+        for pattern, data in wrong:
+            with self.subTest(pattern=pattern, data=data[:20]):
+                self.fail_with(1, pattern, self.save("wrong.stl", data), "out.vtp", *SMALL)
+
+    def test_empty_result_says_why(self):
+        flat = self.save("flat.obj", b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+        self.fail_with(1, "the result is empty: None of .* has an area", flat, "out.vtp", *SMALL)
 
     def test_truncated(self):
         for extension in FORMATS:
@@ -329,8 +365,8 @@ class TestResults(CommandLineTest):
         self.assertEqual(report["parameters"]["coordinates"],
                          [{"name": "Height", "scale": 0.5}, {"name": "Six", "scale": 2}])
         seconds = report["seconds"]
-        self.assertLessEqual({"read", "intake", "sampling", "lloyd", "diagram", "write", "total"},
-                             set(seconds))
+        self.assertLessEqual({"read", "intake", "sampling", "lloyd", "newton", "repair", "diagram",
+                              "write", "total"}, set(seconds))
         parts = sum(value for key, value in seconds.items() if key != "total")
         self.assertLessEqual(parts, seconds["total"])
         self.assertGreater(min(report["processor_seconds"], report["peak_megabytes"]), 0)

@@ -1,0 +1,56 @@
+"""Runs the examples and looks at what they write.
+
+    TestExamples.py --pipeline build/bin/MinimalPipeline --script Examples/Python/remesh.py
+                    --work FOLDER [unittest options]
+"""
+import argparse
+import os
+import subprocess
+import sys
+import unittest
+
+from CommandLineTesting import CommandLineTest, read
+
+
+class TestExamples(CommandLineTest):
+    pipeline = None
+    script = None
+
+    def run_example(self, *command):
+        """What it prints; its file out.vtp must hold as many points and triangles as it says."""
+        result = subprocess.run(command, cwd=self.folder, capture_output=True, encoding="utf-8",
+                                timeout=300, check=False)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(os.listdir(self.folder), ["out.vtp"])
+        surface = read(self.path("out.vtp"))
+        self.assertIn(f"{surface.GetNumberOfPoints()} points, "
+                      f"{surface.GetNumberOfPolys()} triangles", result.stdout)
+        return surface, result.stdout
+
+    def test_minimal_pipeline(self):
+        surface, _ = self.run_example(self.pipeline, "out.vtp")
+        self.assertGreaterEqual(surface.GetNumberOfPoints(), 2000)
+
+    def test_minimal_pipeline_cannot_write(self):
+        result = subprocess.run([self.pipeline, "none/out.vtp"], cwd=self.folder,
+                                capture_output=True, timeout=300, check=False)
+        self.assertEqual(result.returncode, 1)
+
+    def test_script(self):
+        surface, text = self.run_example(sys.executable, self.script, self.input(), "out.vtp",
+                                         "60")
+        # A sphere: as many triangles as Euler's formula asks for.
+        self.assertEqual((surface.GetNumberOfPoints(), surface.GetNumberOfPolys()), (60, 116))
+        self.assertIn("Euler characteristic 2\n", text)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    for option in ("--pipeline", "--script", "--work"):
+        parser.add_argument(option, required=True)
+    known, rest = parser.parse_known_args()
+    TestExamples.pipeline = os.path.abspath(known.pipeline)
+    TestExamples.script = os.path.abspath(known.script)
+    CommandLineTest.work = os.path.abspath(known.work)
+    os.makedirs(CommandLineTest.work, exist_ok=True)
+    unittest.main(argv=sys.argv[:1] + rest, verbosity=2)
