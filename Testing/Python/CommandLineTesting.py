@@ -1,7 +1,9 @@
 """What the tests of remesh_surface share: surfaces in all formats, and running the program."""
+import argparse
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -114,3 +116,15 @@ class CommandLineTest(unittest.TestCase):
 
     def path(self, name):
         return os.path.join(self.folder, name)
+
+
+def main():
+    """Runs the tests of the calling script: --program FILE --work FOLDER [unittest options]."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--work", required=True)
+    known, rest = parser.parse_known_args()
+    CommandLineTest.program = os.path.abspath(known.program)
+    CommandLineTest.work = os.path.abspath(known.work)
+    os.makedirs(CommandLineTest.work, exist_ok=True)
+    unittest.main(argv=sys.argv[:1] + rest, verbosity=2)

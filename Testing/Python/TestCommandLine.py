@@ -1,26 +1,19 @@
-"""Tests of remesh_surface: options, errors, formats, report, determinism.
+"""Tests of remesh_surface: options, formats, report, determinism.
 
     TestCommandLine.py --program build/bin/remesh_surface --work FOLDER [unittest options]
 
-Every failure must give one sentence and leave no file. Surfaces are made here, with VTK.
+Surfaces are made here, with VTK.
 """
-import argparse
 import json
 import os
 import pty
 import re
-import resource
 import shutil
-import signal
 import struct
 import subprocess
-import sys
-import time
-import unittest
 
-from CommandLineTesting import FORMATS, SMALL, CommandLineTest, content, read, sphere, write
+from CommandLineTesting import FORMATS, SMALL, CommandLineTest, content, main, read, sphere, write
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 MAN_PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                         "..", "..", "Examples", "Cxx", "remesh_surface.1")
@@ -105,185 +98,6 @@ class TestUsage(CommandLineTest):
         self.succeed("--points=60", "--lloyd=2", "--seed=-3", "--backend=stdthread", "--",
                      self.input(), "b.vtp")
         self.assertEqual(content(self.path("a.vtp")), content(self.path("b.vtp")))
-
-
-class TestCannot(CommandLineTest):
-    def test_inputs(self):
-        surface = content(self.input("sphere.ply"))
-        cases = [
-            ("No such file", self.input("missing.ply")),
-            ("is a directory", self.inputs),
-            ("is empty", self.save("empty.ply", b"")),
-            ("must end in .vtp, .vtk, .ply, .stl or .obj", self.save("sphere.xyz", surface)),
-            ("has no polygons", self.save("points.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n")),
-        ]
-        write(vtkPolyData(), self.input("nothing.vtp"))
-        cases.append(("No Points|has no polygons", self.input("nothing.vtp")))
-        for pattern, path in cases:
-            with self.subTest(path=path):
-                self.fail_with(1, pattern, path, "out.vtp", *SMALL)
-
-    def test_points(self):
-        for count in ("3", "0", "-5"):
-            self.fail_with(1, "at least 4 points", self.input(), "out.vtp", "--points", count)
-
-    def test_outputs(self):
-        os.mkdir(self.path("folder.vtp"))
-        os.mkfifo(self.path("pipe.vtp"))
-        self.fail_with(1, "must end in", self.input(), "out.xyz", *SMALL)
-        self.fail_with(1, "must end in .vtp or .vtk", self.input(), "out.vtp", "--cells", "c.ply")
-        self.fail_with(1, "there is no directory 'none'", self.input(), "none/out.vtp", *SMALL)
-        self.fail_with(1, "it is a directory", self.input(), "folder.vtp", *SMALL)
-        self.fail_with(1, "not an ordinary file", self.input(), "pipe.vtp", *SMALL)
-        for option in ("--cells", "--sites", "--edges", "--embedded-surface"):
-            self.fail_with(1, "there is no directory", self.input(), "out.vtp", option, "no/f.vtp")
-        for option in ("--convergence", "--report"):
-            self.fail_with(1, "there is no directory", self.input(), "out.vtp", option, "no/f")
-
-    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
-    def test_read_only_folder(self):
-        os.mkdir(self.path("locked"), 0o555)
-        self.fail_with(1, "Permission denied", self.input(), "locked/out.vtp", *SMALL)
-
-    def test_arrays(self):
-        files = [self.input(), "out.vtp"]
-        self.fail_with(1, "no point array 'Foo'", *files, "--normals", "Foo")
-        self.fail_with(1, "no point array 'Foo'", *files, "--embedding-array", "Foo")
-        self.fail_with(1, "no point array 'Foo'", *files, "--coordinates", "Foo=2")
-        self.fail_with(1, "6 components, normals have 3", *files, "--normals", "Six")
-        self.fail_with(1, "cannot remesh .*", *files, "--embedding-array", "Height")
-
-    def test_initial_sites(self):
-        files = [self.input(), "out.vtp"]
-        self.fail_with(1, "No such file", *files, "--initial-sites", "missing.vtp")
-        few = self.save("few.obj", b"v 0 0 0\nv 1 0 0\nf 1 2 1\n")
-        self.fail_with(1, "cannot remesh .*4", *files, "--initial-sites", few)
-
-    def test_not_finite(self):
-        for value in (b"nan", b"inf", b"x", b""):
-            wrong = self.save("wrong.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 %s\nf 1 2 3\n" % value)
-            self.fail_with(1, "line 3", wrong, "out.vtp")
-        for value in (float("nan"), float("inf")):
-            surface = sphere()
-            surface.GetPoints().SetPoint(7, 0.0, value, 0.0)
-            for extension, point in (("ply", "7"), ("stl", r"\d+")):
-                wrong = self.input("wrong." + extension)
-                write(surface, wrong)
-                self.fail_with(1, f"cannot remesh .*Point {point} is not finite", wrong, "out.vtp",
-                               *SMALL)
-
-    def test_stl(self):
-        def triangle(z):
-            return (f"facet normal 0 0 1\nouter loop\nvertex 0 0 {z}\nvertex 1 0 {z}\n"
-                    f"vertex 0 1 {z}\nendloop\nendfacet\n")
-        text = "solid x\n" + triangle(0) + "endsolid x\n"
-        record = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
-
-        def binary(start, announced, records):
-            return start.ljust(80) + struct.pack("<I", announced) + records * record
-        good = [text, text.upper(), "\n \t" + text, "solid " + 200 * "x" + text[7:],
-                "solid x\n" + triangle(0) + triangle(1) + "endsolid x\n",
-                binary(b"solid facet", 1, 1), binary(b"other", 2, 2)]
-        for data in good:
-            with self.subTest(data=data[:20], size=len(data)):
-                path = self.save("good.stl", data if isinstance(data, bytes) else data.encode())
-                self.succeed(path, "out.vtp", "--points", "20", "--quiet")
-        wrong = [
-            ("no polygons", b"solid x\nendsolid x\n"),
-            ("no polygons", b" SOLID\nENDSOLID\n"),
-            ("no polygons", binary(b"solid", 0, 0)),
-            ("of 2 triangles", binary(b"other", 2, 1)),
-            ("of 1 triangles", binary(b"solid facet", 1, 2)),
-            ("line 4", text.replace("vertex 0 0 0", "vertex 0 0 z").encode()),
-        ]
-        for pattern, data in wrong:
-            with self.subTest(pattern=pattern, data=data[:20]):
-                self.fail_with(1, pattern, self.save("wrong.stl", data), "out.vtp", *SMALL)
-
-    def test_empty_result_says_why(self):
-        flat = self.save("flat.obj", b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
-        self.fail_with(1, "the result is empty: None of .* has an area", flat, "out.vtp", *SMALL)
-
-    def test_truncated(self):
-        for extension in FORMATS:
-            data = content(self.input("sphere." + extension))
-            for size in (len(data) // 2, 30, 3):
-                with self.subTest(extension=extension, size=size):
-                    path = self.save("truncated." + extension, data[:size])
-                    self.fail_with(1, "truncated", path, "out.vtp", *SMALL)
-
-    def test_not_a_surface(self):
-        for extension in FORMATS:
-            for data in (bytes((37 * i * i + 11 * i) % 256 for i in range(2000)),
-                         b"this is\nno surface\n" * 20, b"\0" * 500):
-                with self.subTest(extension=extension, data=data[:10]):
-                    path = self.save("garbage." + extension, data)
-                    self.fail_with(1, "garbage", path, "out.vtp", *SMALL)
-
-    def test_malformed_ply(self):
-        def ascii_ply(vertices, faces, counts="3 1", extra=""):
-            vertex, face = counts.split()
-            return (f"ply\nformat ascii 1.0\nelement vertex {vertex}\nproperty float x\n"
-                    f"property float y\nproperty float z\n{extra}element face {face}\n"
-                    f"property list uchar int vertex_indices\nend_header\n{vertices}{faces}"
-                    ).encode()
-        corners = "0 0 0\n1 0 0\n0 1 0\n"
-        cases = [
-            ("refers to point 3", ascii_ply(corners, "3 0 1 3\n")),
-            ("refers to point -1", ascii_ply(corners, "3 0 1 -1\n")),
-            ("too few numbers", ascii_ply(corners, "3 0 1\n")),
-            ("too few numbers", ascii_ply("0 0 0\n1 0\n0 1 0\n", "3 0 1 2\n")),
-            ("ends in its body", ascii_ply(corners, "", "3 2")),
-            ("no valid count", ascii_ply(corners, "3 0 1 2\n", "-3 1")),
-            ("no valid count", ascii_ply(corners, "3 0 1 2\n", "3 99999999999")),
-            ("too long or too short", ascii_ply(corners, "-1\n")),
-            ("unknown type", ascii_ply(corners, "3 0 1 2\n", extra="property quad w\n")),
-            ("vertex has a list", ascii_ply(corners, "3 0 1 2\n",
-                                            extra="property list int int w\n")),
-            ("no format", b"ply\nelement vertex 0\nend_header\n"),
-        ]
-        for pattern, data in cases:
-            with self.subTest(pattern=pattern):
-                path = self.save("malformed.ply", data)
-                self.fail_with(1, pattern, path, "out.vtp", *SMALL)
-
-    def test_point_ids_out_of_range(self):
-        for name, data in (
-                ("far.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 900000000\n"),
-                ("far.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
-                            b"POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 7\n")):
-            with self.subTest(name=name):
-                self.fail_with(1, "cannot read", self.save(name, data), "out.vtp", *SMALL)
-
-    def test_full_disk(self):
-        def limit():
-            # As a full disk: writing beyond this size fails.
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
-        for extension in FORMATS + ("PLY",):
-            with self.subTest(extension=extension):
-                self.fail_with(1, "cannot write", self.input(), "out." + extension,
-                               "--report", "r.json", *SMALL, preexec_fn=limit)
-
-    def test_failure_keeps_older_files(self):
-        with open(self.path("out.vtp"), "w", encoding="utf-8") as file:
-            file.write("older")
-        self.fail_with(1, "no polygons", self.save("points.obj", b"v 0 0 0\n"), "out.vtp")
-        self.assertEqual(content(self.path("out.vtp")), b"older")
-
-    def test_interruption(self):
-        for number in (signal.SIGINT, signal.SIGTERM):
-            with subprocess.Popen(
-                    [self.program, self.input(), "out.vtp", "--points", "2000", "--lloyd", "100000",
-                     "--cells", "cells.vtp"], cwd=self.folder, stdout=subprocess.PIPE,
-                    stderr=subprocess.PIPE, encoding="utf-8") as process:
-                time.sleep(1.5)
-                self.assertIsNone(process.poll())
-                process.send_signal(number)
-                output, error = process.communicate(timeout=60)
-            self.assertEqual((process.returncode, output, error),
-                             (1, "", "remesh_surface: interrupted\n"))
-            self.assertEqual(os.listdir(self.folder), [])
 
 
 class TestResults(CommandLineTest):
@@ -453,11 +267,4 @@ class TestResults(CommandLineTest):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--work", required=True)
-    known, rest = parser.parse_known_args()
-    CommandLineTest.program = os.path.abspath(known.program)
-    CommandLineTest.work = os.path.abspath(known.work)
-    os.makedirs(CommandLineTest.work, exist_ok=True)
-    unittest.main(argv=sys.argv[:1] + rest, verbosity=2)
+    main()
