@@ -1,5 +1,7 @@
 #include "vtkAnisotropicRemesher.h"
 
+#include "vtkEmbeddedSurfaceInternals.h"
+
 #include "Remesh.h"
 
 #include "vtkInformation.h"
@@ -31,6 +33,11 @@ void vtkAnisotropicRemesher::SetInitialSitesData(vtkDataObject* sites)
   this->SetInputData(1, sites);
 }
 
+void vtkAnisotropicRemesher::SetFeatureLabelArray(const char* name)
+{
+  this->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
+}
+
 int vtkAnisotropicRemesher::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -43,7 +50,10 @@ int vtkAnisotropicRemesher::RequestData(
       << points << (initialSites ? " initial sites were given." : " were asked for."));
     return 0;
   }
+  const bool preserve = this->PreserveFeatures && !initialSites;
+  this->Internals->Features = { preserve, this->FeatureAngle };
   remesh::RemeshOptions options;
+  options.exactNumber = preserve;
   options.numberOfSites = this->NumberOfPoints;
   options.sampling = this->SamplingMethod == RANDOM ? remesh::SamplingMethod::Random
                                                     : remesh::SamplingMethod::Stratified;
@@ -60,6 +70,8 @@ void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "PreserveFeatures: " << this->PreserveFeatures << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "SamplingMethod: " << this->SamplingMethod << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfLloydIterations: " << this->NumberOfLloydIterations << "\n";

@@ -9,6 +9,8 @@
  * Voronoi diagram is the new mesh: isotropic in R^d, and so in R^3 long along flat directions and
  * dense where the surface bends.
  *
+ * Features of the surface are kept unless `PreserveFeatures` is off: see there.
+ *
  * Where the mesh is no manifold in a few places of a manifold surface (at most 1 % of the points), as
  * at thin tips, the sites that matter least are moved there, and two more Lloyd iterations follow,
  * up to eight times. That is no part of the optimisation: `Convergence` ends before it, and nothing
@@ -47,12 +49,47 @@ public:
 
   ///@{
   /**
-   * Number of sites, default 10000. Fewer than 4 is an error when the filter runs. The mesh has
-   * more points where restricted cells are not connected (see `NumberOfExtraPoints`).
+   * Number of points of the mesh, default 10000. Fewer than 4 is an error when the filter runs. With
+   * `PreserveFeatures` it has as many, unless its corners and curves alone need more. Without, this
+   * is the number of sites, and the mesh has more points where restricted cells are not connected
+   * (see `NumberOfExtraPoints`).
    */
   vtkSetClampMacro(NumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfPoints, vtkIdType);
   ///@}
+
+  ///@{
+  /**
+   * Whether creases, corners, borders and non-manifold edges of the surface are kept as edges and
+   * points of the mesh, default on. Off, the mesh cuts across creases and shrinks from borders, and
+   * it has more points than asked for where restricted cells are not connected.
+   *
+   * Features take points of their own, which count among `NumberOfPoints` and do not move; where
+   * they need more than half of them, there is a warning. Creases that are small against the
+   * spacing of the points, or that zigzag and branch like noise, are not kept.
+   *
+   * Not with given initial sites.
+   */
+  vtkSetMacro(PreserveFeatures, bool);
+  vtkGetMacro(PreserveFeatures, bool);
+  vtkBooleanMacro(PreserveFeatures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Creases are edges whose two facets' normals differ by more than this angle in degrees, 0 to
+   * 180, default 35.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  /**
+   * A cell array whose values label regions of the surface: edges between different values are
+   * features, too. Input array to process 2. nullptr or "": none (default). Numbers of any number
+   * of components, or strings; one that the input lacks is an error when the filter runs.
+   */
+  void SetFeatureLabelArray(const char* name);
 
   ///@{
   /**
@@ -84,7 +121,8 @@ public:
   ///@{
   /**
    * Pairs of vectors that the quasi-Newton method keeps, 1 to 100, default 7: each takes 8 bytes
-   * per site and dimension.
+   * per site and dimension. From 64 dimensions on, where a pair is more than 16 MB, no more than 3
+   * or what fits into a twelfth of the embedding's own memory are kept.
    */
   vtkSetClampMacro(HistoryLength, int, 1, 100);
   vtkGetMacro(HistoryLength, int);
@@ -126,6 +164,8 @@ private:
   void operator=(const vtkAnisotropicRemesher&) = delete;
 
   vtkIdType NumberOfPoints = 10000;
+  bool PreserveFeatures = true;
+  double FeatureAngle = 35.0;
   int SamplingMethod = STRATIFIED;
   int Seed = 0;
   int NumberOfLloydIterations = 5;

@@ -2,6 +2,7 @@
 
 #include "vtkEmbeddedSurfaceInternals.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -16,14 +17,43 @@
 
 namespace
 {
+/** The name of an array chosen by SetInputArrayToProcess, or nullptr. */
+const char* chosenName(vtkInformation* choice)
+{
+  return choice && choice->Has(vtkDataObject::FIELD_NAME())
+    ? choice->Get(vtkDataObject::FIELD_NAME())
+    : nullptr;
+}
+
+/** A cell array with labels of regions; "" and "None" mean none. */
+remesh::Status findLabels(vtkInformation* choice, vtkPolyData* input, vtkAbstractArray*& array)
+{
+  array = nullptr;
+  const char* name = chosenName(choice);
+  if (!name || !*name)
+  {
+    return remesh::Status::success();
+  }
+  if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    return remesh::Status::invalid(
+      std::string("The array \"") + name + "\", chosen as the labels, must be a cell array.");
+  }
+  array = input->GetCellData()->GetAbstractArray(name);
+  if (array || std::string(name) == "None")
+  {
+    return remesh::Status::success();
+  }
+  return remesh::Status::invalid(
+    std::string("The input has no cell array \"") + name + "\", chosen as the labels.");
+}
+
 /** A point array chosen by SetInputArrayToProcess; "" and "None" mean none. */
 remesh::Status findChosenArray(
   vtkInformation* choice, vtkPolyData* input, const char* role, vtkDataArray*& array)
 {
   array = nullptr;
-  const char* name =
-    choice && choice->Has(vtkDataObject::FIELD_NAME()) ? choice->Get(vtkDataObject::FIELD_NAME())
-                                                       : nullptr;
+  const char* name = chosenName(choice);
   if (!name || !*name)
   {
     return remesh::Status::success();
@@ -159,6 +189,18 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
       !status.ok())
   {
     return status;
+  }
+  const FeatureRequest& features = self->Internals->Features;
+  request.preserveFeatures = features.Preserve;
+  request.featureAngle = features.Angle;
+  if (features.Preserve)
+  {
+    if (remesh::Status status =
+          findLabels(self->GetInputArrayInformation(2), input, request.labels);
+        !status.ok())
+    {
+      return status;
+    }
   }
   for (const auto& [name, scale] : self->Internals->CoordinateArrays)
   {

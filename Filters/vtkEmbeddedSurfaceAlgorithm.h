@@ -71,8 +71,10 @@ public:
 
   ///@{
   /**
-   * Passes of 1-ring averaging over estimated normals, -1 to 10000. Default -1 chooses (3 passes).
-   * Given normals are never smoothed.
+   * Passes of 1-ring averaging over estimated normals, 0 to 10000. Default -1: the normals are
+   * smoothed over 1.5 times the mean spacing of the new points, sqrt(area / points), whatever the
+   * sizes of the triangles, as bends finer than that cannot be meshed. (The outputs' normals are
+   * not.) Given normals are never smoothed.
    */
   vtkSetClampMacro(NormalSmoothingPasses, int, -1, 10000);
   vtkGetMacro(NormalSmoothingPasses, int);

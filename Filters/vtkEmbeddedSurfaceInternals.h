@@ -22,6 +22,13 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
 {
   std::vector<std::pair<std::string, double>> CoordinateArrays;
 
+  /** What a subclass wants of features, for the next execution. */
+  struct FeatureRequest
+  {
+    bool Preserve = false;
+    double Angle = 35.0;
+  } Features;
+
   /** Facts about the last execution. */
   struct Facts
   {

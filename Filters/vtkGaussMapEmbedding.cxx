@@ -24,21 +24,21 @@ namespace
 void addEmbedding(const remesh::PreparedSurface& prepared, bool positionFirst, vtkPolyData* output)
 {
   const int d = prepared.coordinates.dimension;
-  const auto array = remesh::addArray<vtkDoubleArray>(
-    output->GetPointData(), "Embedding", output->GetNumberOfPoints(), d);
+  const remesh::Columns columns{ output->GetPointData(), output->GetNumberOfPoints(), {} };
+  const auto array = columns.addEmpty<vtkDoubleArray>("Embedding", d);
   array->Fill(0.0);
   for (vtkIdType point = 0; positionFirst && point < output->GetNumberOfPoints(); ++point)
   {
     output->GetPoint(point, array->GetPointer(point * d));
   }
   const remesh::SurfaceMesh& mesh = prepared.mesh;
+  std::vector<double> scratch;
   for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const double* values = prepared.coordinates.values.data() +
-        static_cast<std::size_t>(mesh.facetCorners[f][k]) * static_cast<std::size_t>(d);
-      std::copy_n(values, d, array->GetPointer(mesh.facetInputPoints[f][k] * d));
+      std::copy_n(prepared.coordinates.row(mesh.facetCorners[f][k], scratch), d,
+        array->GetPointer(mesh.facetInputPoints[f][k] * d));
     }
   }
 }
@@ -57,6 +57,8 @@ int vtkGaussMapEmbedding::RequestData(
     [&]() -> remesh::Status
     {
       remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
+      request.numberOfSites = this->NumberOfPoints;
+      request.mayLend = true;
       if (status.ok())
       {
         status = remesh::prepareSurface(input, request, remesh::makeRunControl(this), prepared);
@@ -80,4 +82,5 @@ int vtkGaussMapEmbedding::RequestData(
 void vtkGaussMapEmbedding::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
 }

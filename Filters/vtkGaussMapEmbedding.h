@@ -23,6 +23,15 @@ public:
   vtkTypeMacro(vtkGaussMapEmbedding, vtkEmbeddedSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Number of points of the mesh that the embedding is for, at least 1, default 10000: estimated
+   * normals are smoothed over their mean spacing (see `NormalSmoothingPasses`).
+   */
+  vtkSetClampMacro(NumberOfPoints, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(NumberOfPoints, vtkIdType);
+  ///@}
+
 protected:
   vtkGaussMapEmbedding();
   ~vtkGaussMapEmbedding() override;
@@ -32,6 +41,8 @@ protected:
 private:
   vtkGaussMapEmbedding(const vtkGaussMapEmbedding&) = delete;
   void operator=(const vtkGaussMapEmbedding&) = delete;
+
+  vtkIdType NumberOfPoints = 10000;
 };
 
 #endif

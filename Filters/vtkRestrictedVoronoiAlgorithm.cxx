@@ -7,6 +7,7 @@
 #include "Adaptors/ProgressAdaptor.h"
 #include "Adaptors/SitesInput.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointSet.h"
@@ -97,20 +98,22 @@ struct PortChoice
   int LargestDimension; ///< of the array `Embedding` of port 1
 };
 
-/** Fills the ports one by one; false, and all are empty again, when the run was aborted. */
-bool writePorts(const remesh::DiagramSource& source, const PortChoice& choice,
-  remesh::RunControl control, vtkInformationVector* ports)
+/** Fills the ports one by one; all are empty again when the run was aborted. */
+remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice& choice,
+  remesh::RunControl control, vtkInformationVector* ports, std::vector<std::string>& warnings)
 {
   using Ports = vtkRestrictedVoronoiAlgorithm;
   remesh::DiagramPoints points;
   const std::function<void()> steps[] = {
-    [&]() { remesh::writeSurface(source, vtkPolyData::GetData(ports, Ports::SURFACE)); },
+    [&]() { remesh::writeSurface(source, vtkPolyData::GetData(ports, Ports::SURFACE), warnings); },
     [&]()
     {
       if (choice.VoronoiCells || choice.Edges)
       {
-        points = remesh::numberDiagramPoints(
-          source.prepared.mesh, source.result.edges, source.result.diagram);
+        // When it is cancelled, so is the run, which is asked about after each step.
+        static_cast<void>(remesh::numberDiagramPoints(source.prepared.mesh, source.result.edges,
+          { source.surface(), source.result.sites, source.result.diagram }, source.control,
+          points));
       }
     },
     [&]()
@@ -146,10 +149,10 @@ bool writePorts(const remesh::DiagramSource& source, const PortChoice& choice,
       {
         vtkDataObject::GetData(ports, port)->Initialize();
       }
-      return false;
+      return remesh::Status::cancelled();
     }
   }
-  return true;
+  return remesh::Status::success();
 }
 
 /** The caller's sites, or a check that as many as are asked for can be held. */
@@ -164,7 +167,8 @@ remesh::Status takeSites(vtkPointSet* sites, const remesh::PreparedSurface& prep
   }
   return options.numberOfSites <= remesh::maximumIndex
     ? remesh::checkMemory(options.numberOfSites, prepared.surface.dimension,
-        options.quasiNewton.historyLength)
+        remesh::historyWithin(
+          prepared.surface, options.numberOfSites, options.quasiNewton.historyLength))
     : remesh::Status::success(); // the core has its own word for that
 }
 
@@ -187,12 +191,21 @@ std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
     warnings.push_back(std::to_string(result.emptyCells) +
       " sites have empty cells: the surface cannot hold so many points.");
   }
-  const remesh::Offset extra = result.components.count() + result.emptyCells - result.sites.count();
+  const remesh::Offset extra = result.components.count() - result.wantedVertices;
   if (100 * extra > result.sites.count())
   {
     warnings.push_back("The mesh has " + std::to_string(extra) +
       " points more than asked for, as so many cells reach several parts of the surface. More "
       "points or less anisotropy help.");
+  }
+  if (2 * result.neededFeaturePoints > options.numberOfSites)
+  {
+    warnings.push_back("Corners and curves of the surface need " +
+      std::to_string(result.neededFeaturePoints) + " of the " +
+      std::to_string(options.numberOfSites) + " points asked for; the mesh has " +
+      std::to_string(result.components.count()) + ", " +
+      std::to_string(result.featureSites.numberOfPoints()) +
+      " of them there. More points or a larger feature angle help.");
   }
   if (prepared.intake.nonManifoldEdges == 0 && result.dual.numberOfNonManifoldEdges > 0)
   {
@@ -217,6 +230,10 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   remesh::PreparedSurface prepared;
   remesh::GivenSites given;
   remesh::RemeshResult result;
+  const remesh::DiagramSource source{ input, prepared, result, given.places, seed,
+    control.silent() };
+  const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
+    this->MaximumCellEmbeddingDimension };
 
   const auto outcome = vtkInternals::Execute(this,
     [&]() -> remesh::Status
@@ -224,6 +241,11 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       const Clock::time_point start = Clock::now();
       remesh::PreparationRequest request;
       remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
+      options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
+      request.numberOfSites = sites ? sites->GetNumberOfPoints() : options.numberOfSites;
+      request.mayLend = true;
+      // Only the cells show the coordinates.
+      request.mostKeptDimensions = choice.VoronoiCells ? choice.LargestDimension : 0;
       if (status.ok())
       {
         status = remesh::prepareSurface(input, request, control.part(0.0, 0.1), prepared);
@@ -234,9 +256,26 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
         status = takeSites(sites, prepared, options, given);
       }
       facts.Seconds["intake"] = secondsSince(start);
-      return status.ok()
-        ? remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95), result)
-        : status;
+      if (status.ok())
+      {
+        status =
+          remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95), result,
+            prepared.features ? &*prepared.features : nullptr);
+      }
+      if (status.ok())
+      {
+        const Clock::time_point writing = Clock::now();
+        if (!choice.VoronoiCells && !choice.Edges && input->GetCellData()->GetNumberOfArrays() == 0)
+        {
+          result.diagram = {}; // room for the ports
+          result.edges = {};
+        }
+        status =
+          writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
+        facts.Seconds["placement"] = result.seconds.placement;
+        facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(writing);
+      }
+      return status;
     });
   if (outcome != vtkInternals::Outcome::Done)
   {
@@ -247,16 +286,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
     vtkWarningMacro(<< warning);
   }
 
-  const Clock::time_point start = Clock::now();
-  const remesh::DiagramSource source{ input, prepared, result, given.places, seed };
-  const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
-    this->MaximumCellEmbeddingDimension };
-  if (!writePorts(source, choice, control.part(0.95, 1.0), outputVector))
-  {
-    return 1;
-  }
-
-  facts.Dimension = prepared.surface.dimension;
+  facts.Dimension = prepared.surface.callerDimension;
   facts.Iterations = result.convergence.rows.back().iteration;
   facts.Evaluations = result.evaluations;
   facts.Energy = result.sums.totalEnergy * source.energyUnit();
@@ -264,13 +294,13 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   facts.Seconds["lloyd"] = result.seconds.lloyd;
   facts.Seconds["newton"] = result.seconds.newton;
   facts.Seconds["repair"] = result.seconds.repair;
-  facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
   return 1;
 }
 
 void vtkRestrictedVoronoiAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "VertexPlacement: " << this->VertexPlacement << "\n";
   os << indent << "GenerateVoronoiCells: " << this->GenerateVoronoiCells << "\n";
   os << indent << "GenerateEdges: " << this->GenerateEdges << "\n";
   os << indent << "MaximumCellEmbeddingDimension: " << this->MaximumCellEmbeddingDimension << "\n";

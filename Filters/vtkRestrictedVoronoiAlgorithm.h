@@ -4,15 +4,36 @@
  *
  * | port | data | arrays |
  * |---|---|---|
- * | 0 `Surface` | triangles, the restricted Delaunay triangulation: one point per connected component of a restricted cell, at the cell's centroid | point: `SiteId`, `ComponentId`, `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays, interpolated |
+ * | 0 `Surface` | triangles, the restricted Delaunay triangulation: one point per connected component of a restricted cell, placed by `VertexPlacement` | point: `SiteId`, `ComponentId`, `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays; cell: the input's cell arrays |
  * | 1 `VoronoiCells` | convex polygons, one per facet and site | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`, `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` |
  * | 2 `Sites` | one vertex per site | point: `SiteId`, `MergedSiteId`, `PatchId`, `Weight`, `Embedding`, `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors` |
  * | 3 `Convergence` | vtkTable | `Iteration`, `Energy`, `GradientNorm`, `StepLength`, `Time` (s) |
- * | 4 `Edges` | lines | cell: `EdgeType` (0 between two cells, 2 boundary, 3 non-manifold), `SiteId` (2 components, -1 for none) |
+ * | 4 `Edges` | lines | cell: `EdgeType` (0 between two cells, 1 feature, 2 boundary, 3 non-manifold), `SiteId` (2 components, -1 for none) |
+ *
+ * A site on a feature of the surface (see vtkAnisotropicRemesher) has a copy in each patch and fan
+ * around it, so that the mesh has one point for several sites: `MergedSiteId` is the lowest `SiteId`
+ * among them, and the `SiteId` of port 0. `PatchId` numbers the parts of the surface that features
+ * enclose. Such points lie on the feature, whatever `VertexPlacement` says.
  *
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
- * distance to the site in R^d. Field data of port 0: `NumberOfNonManifoldEdges`,
- * `EulerCharacteristic`, `NumberOfExtraPoints` (components beyond the number of sites), `Seed`.
+ * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose
+ * normal makes more than 90 degrees with the surface's closest to their centre),
+ * `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `NumberOfExtraPoints` (components beyond the
+ * number of sites), `Seed`.
+ *
+ * The input's arrays on port 0 keep names, types, component names and roles (active scalars and so
+ * on), and field data is passed:
+ * - point arrays are read at the vertex's place on the input: floating-point arrays are
+ *   interpolated (active normals are unit vectors again), and so are colours (unsigned char, 3 or 4
+ *   components); integers, ids, bits and strings may be labels and take the value of the nearest
+ *   corner there;
+ * - of cell arrays each triangle takes the value that covers most of it, cells of equal values
+ *   together; values are never mixed;
+ * - not carried over: global ids and ghost marks; with a warning, arrays of the wrong length and
+ *   those named like the mesh's own.
+ *
+ * `Normals` are those of the surface there, given or estimated. Cells that a ghost array marks as
+ * duplicate, refined or hidden are no part of the surface.
  *
  * Same input, parameters and seed give the same bytes on all ports but for the column `Time`,
  * whatever the number of threads and the back-end.
@@ -45,6 +66,32 @@ public:
     CONVERGENCE = 3,
     EDGES = 4
   };
+
+  enum VertexPlacements
+  {
+    CENTROID = 0,
+    SURFACE_POINT = 1,
+    QUADRIC = 2,
+    FIT = 3
+  };
+
+  ///@{
+  /**
+   * Where the points of port 0 are put:
+   * - CENTROID: at the centroids of their cells, which lie inside of a bent surface;
+   * - SURFACE_POINT: at the surface's points closest to those;
+   * - QUADRIC: where the cell's facets, as planes, are closest;
+   * - FIT (default): where all triangles together are closest to the surface, by least squares,
+   *   as far as no triangle turns over or collapses. The distance to the surface is about a third
+   *   of that of CENTROID.
+   *
+   * Points where a triangle would face against the surface are put elsewhere in all cases, and if
+   * that does not help, edges are turned over, for at most one triangle in 2000. See the field
+   * array `NumberOfFlippedTriangles` for what is left.
+   */
+  vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);
+  vtkGetMacro(VertexPlacement, int);
+  ///@}
 
   ///@{
   /** Whether to fill port 1 (default on). Off saves memory and time. */
@@ -90,7 +137,7 @@ public:
   /**
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
    * "sampling", "lloyd", "newton", "repair" (moving sites to where the mesh is no manifold),
-   * "diagram" (diagram, dual and output arrays). 0 for other names.
+   * "placement" (of the mesh's points), "diagram" (diagram, dual and output arrays). 0 for other names.
    */
   double GetPhaseSeconds(const char* phase) const;
 
@@ -113,6 +160,7 @@ private:
   vtkRestrictedVoronoiAlgorithm(const vtkRestrictedVoronoiAlgorithm&) = delete;
   void operator=(const vtkRestrictedVoronoiAlgorithm&) = delete;
 
+  int VertexPlacement = FIT;
   bool GenerateVoronoiCells = true;
   bool GenerateEdges = true;
   int MaximumCellEmbeddingDimension = 16;

@@ -96,6 +96,8 @@ def check_seams():
 def check_lists():
     for folder, pattern in ((FILTERS, "**/*.cxx"), (ROOT / "Testing/Core", "*.cxx"),
                             (ROOT / "Testing/Cxx", "*.cxx"),
+                            (ROOT / "Testing/Benchmarks", "*.cxx"),
+                            (ROOT / "Testing/Benchmarks", "Test*.py"),
                             (ROOT / "Testing/Python", "Test*.py"),
                             (ROOT / "Testing/ParaView", "Test*.py")):
         listed = (folder / "CMakeLists.txt").read_text(encoding="utf-8")

@@ -127,9 +127,9 @@ Setter Choice(const char* name, std::string Options::*member, std::vector<std::s
   { options.*member = ParseChoice(name, value, choices); };
 }
 
-Setter Flag(bool Options::*member)
+Setter Flag(bool Options::*member, bool value = true)
 {
-  return [=](Options& options, const std::string&) { options.*member = true; };
+  return [=](Options& options, const std::string&) { options.*member = value; };
 }
 
 void SetDimension(Options& options, const std::string& value)
@@ -154,14 +154,20 @@ std::vector<Option> MakeTable()
   using Limits = std::numeric_limits<int>;
   return {
     { "--points", "N",
-      "Number of points of the new mesh, at least 4. There are more where a point's region of the "
-      "surface falls into several pieces: several times as many on thin or many-part surfaces. "
-      "Default 10000.",
+      "Number of points of the new mesh, at least 4, those on features among them. Default 10000.",
       SetPoints },
     { "--anisotropy", "S",
       "How much the normals count, as a fraction of the bounding-box diagonal, 0 to 1. "
       "Default 0.04; usual are 0.02 to 0.1; 0 is isotropic.",
       Number("--anisotropy", &Options::Anisotropy, 0.0, 1.0) },
+    { "--no-features", "", "Do not keep creases, corners and borders of the surface.",
+      Flag(&Options::PreserveFeatures, false) },
+    { "--feature-angle", "DEG",
+      "Creases are edges whose facets' normals differ by more than this angle, 0 to 180. "
+      "Default 35.",
+      Number("--feature-angle", &Options::FeatureAngle, 0.0, 180.0) },
+    { "--labels", "ARRAY", "Also keep the edges between different values of this cell array.",
+      Text("--labels", &Options::Labels) },
     { "--lloyd", "K", "Lloyd iterations, 0 to 100000. Default 5.",
       Integer("--lloyd", &Options::LloydIterations, 0, 100000) },
     { "--newton", "K", "Quasi-Newton iterations after them, 0 to 100000. Default 30.",
@@ -180,7 +186,8 @@ std::vector<Option> MakeTable()
       "estimated.",
       Text("--normals", &Options::Normals) },
     { "--normal-smoothing", "K",
-      "Smoothing passes over estimated normals, -1 to 10000. Default -1: chosen by the filter.",
+      "Smoothing passes over estimated normals, -1 to 10000. Default -1: over the mean "
+      "spacing of the new points.",
       Integer("--normal-smoothing", &Options::NormalSmoothingPasses, -1, 10000) },
     { "--embedding-array", "NAME",
       "Point array that replaces position and normal: the place of each point in R^d.",
@@ -196,6 +203,10 @@ std::vector<Option> MakeTable()
       Number("--merge-tolerance", &Options::MergeTolerance, 0.0, 0.1) },
     { "--sampling", "M", "How the first sites are drawn: random or stratified (default).",
       Choice("--sampling", &Options::Sampling, { "random", "stratified" }) },
+    { "--placement", "P",
+      "Where the points are put: centroid or quadric of their cells, surface (the closest point), "
+      "or fit (default): where all triangles together are closest to the surface.",
+      Choice("--placement", &Options::Placement, { "centroid", "surface", "quadric", "fit" }) },
     { "--cells", "F.vtp", "Write the restricted Voronoi cells.", Text("--cells", &Options::Cells) },
     { "--sites", "F.vtp", "Write the sites.", Text("--sites", &Options::Sites) },
     { "--edges", "F.vtp", "Write the borders between the cells and of the surface.",

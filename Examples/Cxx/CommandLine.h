@@ -23,6 +23,9 @@ struct Options
 
   long long NumberOfPoints = 10000;
   double Anisotropy = 0.04; // fraction of the bounding-box diagonal
+  bool PreserveFeatures = true;
+  double FeatureAngle = 35.0; // degrees
+  std::string Labels;         // cell array; "": none
   int LloydIterations = 5;
   int NewtonIterations = 30;
   int Seed = 0;
@@ -36,6 +39,7 @@ struct Options
   std::string InitialSites;
   double MergeTolerance = 0.0; // fraction of the bounding-box diagonal
   std::string Sampling = "stratified";
+  std::string Placement = "fit";
 
   // Further outputs; "": not written.
   std::string Cells;

@@ -29,10 +29,14 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.BeginObject("parameters");
   json.Add("points", options.NumberOfPoints);
   json.Add("anisotropy", options.Anisotropy);
+  json.Add("features", options.PreserveFeatures);
+  json.Add("feature_angle", options.FeatureAngle);
+  json.Add("labels", options.Labels);
   json.Add("lloyd", options.LloydIterations);
   json.Add("newton", options.NewtonIterations);
   json.Add("seed", options.Seed);
   json.Add("sampling", options.Sampling);
+  json.Add("placement", options.Placement);
   json.Add("threads", options.Threads);
   json.Add("backend", options.Backend);
   json.Add("dimension", options.Dimension);
@@ -70,7 +74,8 @@ void AddSeconds(JsonWriter& json, vtkAnisotropicRemesher* remesher, const Second
 {
   json.BeginObject("seconds");
   json.Add("read", seconds.Read);
-  for (const char* phase : { "intake", "sampling", "lloyd", "newton", "repair", "diagram" })
+  for (const char* phase :
+    { "intake", "sampling", "lloyd", "newton", "diagram", "repair", "placement" })
   {
     json.Add(phase, remesher->GetPhaseSeconds(phase));
   }

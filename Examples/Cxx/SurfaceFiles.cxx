@@ -268,6 +268,7 @@ void WriteVtp(vtkPolyData* surface, const std::string& path, ProgressBar* progre
   writer->SetInputData(surface);
   writer->SetDataModeToBinary();
   writer->SetHeaderTypeToUInt64();
+  writer->SetCompressorTypeToLZ4(); // zlib takes five times as long to save a fifth of the bytes
   writer->WriteToOutputStringOn();
   progress->SetPhase("Writing");
   writer->AddObserver(vtkCommand::ProgressEvent, progress);

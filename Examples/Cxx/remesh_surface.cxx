@@ -18,15 +18,18 @@
 #include "SurfaceFiles.h"
 
 #include <vtkAnisotropicRemesher.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkGaussMapEmbedding.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 #include <vtkVersion.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
@@ -128,6 +131,11 @@ void ReadInput(Run& run)
   {
     CheckArray(run.Surface, coordinates.Name, false);
   }
+  if (!options.Labels.empty() &&
+    run.Surface->GetCellData()->GetAbstractArray(options.Labels.c_str()) == nullptr)
+  {
+    throw Failure("the surface has no cell array '" + options.Labels + "'");
+  }
   if (!options.InitialSites.empty())
   {
     run.Remesher->SetInitialSitesData(ReadSurface(options.InitialSites, run.Log, run.Progress));
@@ -141,6 +149,14 @@ int BackendNumber(const std::string& name)
     : name == "stdthread"     ? vtkEmbeddedSurfaceAlgorithm::SMP_STDTHREAD
     : name == "tbb"           ? vtkEmbeddedSurfaceAlgorithm::SMP_TBB
                               : vtkEmbeddedSurfaceAlgorithm::SMP_AUTOMATIC;
+}
+
+int PlacementNumber(const std::string& name)
+{
+  return name == "centroid" ? vtkAnisotropicRemesher::CENTROID
+    : name == "surface"     ? vtkAnisotropicRemesher::SURFACE_POINT
+    : name == "quadric"     ? vtkAnisotropicRemesher::QUADRIC
+                            : vtkAnisotropicRemesher::FIT;
 }
 
 /** The parameters that the remesher and the embedding have in common. */
@@ -183,11 +199,18 @@ void Remesh(Run& run)
   const Options& options = run.Parameters;
   vtkAnisotropicRemesher* remesher = run.Remesher;
   remesher->SetNumberOfPoints(options.NumberOfPoints);
+  remesher->SetPreserveFeatures(options.PreserveFeatures);
+  remesher->SetFeatureAngle(options.FeatureAngle);
+  if (!options.Labels.empty())
+  {
+    remesher->SetFeatureLabelArray(options.Labels.c_str());
+  }
   remesher->SetNumberOfLloydIterations(options.LloydIterations);
   remesher->SetNumberOfNewtonIterations(options.NewtonIterations);
   remesher->SetSeed(options.Seed);
   remesher->SetSamplingMethod(options.Sampling == "random" ? vtkAnisotropicRemesher::RANDOM
                                                            : vtkAnisotropicRemesher::STRATIFIED);
+  remesher->SetVertexPlacement(PlacementNumber(options.Placement));
   remesher->SetGenerateVoronoiCells(!options.Cells.empty());
   remesher->SetGenerateEdges(!options.Edges.empty());
   const std::size_t earlier = run.Log->GetWarnings().size();
@@ -200,6 +223,9 @@ void Remesh(Run& run)
   }
   if (!options.EmbeddedSurface.empty())
   {
+    vtkPointSet* sites = vtkPointSet::SafeDownCast(remesher->GetInputDataObject(1, 0));
+    run.Embedding->SetNumberOfPoints(
+      sites ? std::max<vtkIdType>(1, sites->GetNumberOfPoints()) : options.NumberOfPoints);
     Execute(run.Embedding, run);
   }
 }

@@ -16,54 +16,140 @@ Point3 placeOf(const SurfaceMesh& mesh, const DiagramPoint& point)
     point.b[2] * mesh.points[corners[2]];
 }
 
-vtkSmartPointer<vtkPoints> placePoints(const DiagramSource& source, const DiagramPoints& points)
-{
-  return makePoints(static_cast<Offset>(points.points.size()),
-    [&](Offset k) { return placeOf(source.prepared.mesh, points.points[k]); });
-}
-
 void addEmbedding(const DiagramSource& source, const DiagramPoints& points, vtkPointData* data)
 {
   const CornerCoordinates& coordinates = source.prepared.coordinates;
   const int d = coordinates.dimension;
-  const auto count = static_cast<Offset>(points.points.size());
-  const auto array = addArray<vtkDoubleArray>(data, "Embedding", count, d);
-  for (Offset k = 0; k < count; ++k)
-  {
-    const DiagramPoint& point = points.points[k];
-    const Triple& corners = source.prepared.mesh.facetCorners[point.facet];
-    double* tuple = array->GetPointer(k * d);
-    for (int c = 0; c < d; ++c)
+  const Columns columns{ data, static_cast<Offset>(points.points.size()), source.control };
+  columns.addTuples<vtkDoubleArray>("Embedding", d,
+    [&](Offset k, double* values)
     {
-      tuple[c] = 0.0;
+      const DiagramPoint& point = points.points[k];
+      const Triple& corners = source.prepared.mesh.facetCorners[point.facet];
+      std::fill_n(values, d, 0.0);
+      std::vector<double> scratch;
       for (int v = 0; v < 3; ++v)
       {
-        tuple[c] += point.b[v] * coordinates.values[static_cast<std::size_t>(corners[v]) * d + c];
+        const double* row = coordinates.row(corners[v], scratch);
+        for (int c = 0; c < d; ++c)
+        {
+          values[c] += point.b[v] * row[c];
+        }
       }
-    }
-  }
+    });
 }
 
 void addPieceArrays(const DiagramSource& source, vtkCellData* data)
 {
   const Diagram& diagram = source.result.diagram;
-  const Offset count = diagram.numberOfPieces();
+  const Columns columns{ data, diagram.numberOfPieces(), source.control };
   const auto site = [&](Offset piece) { return diagram.sites[piece]; };
-  addColumn<vtkIdTypeArray>(data, "SiteId", count, site);
-  addColumn<vtkIdTypeArray>(data, "MergedSiteId", count, site);
+  columns.add<vtkIdTypeArray>("SiteId", site);
+  columns.add<vtkIdTypeArray>("MergedSiteId",
+    [&](Offset piece) { return source.result.featureSites.mergedSite(site(piece)); });
   const Components& components = source.result.components;
-  addColumn<vtkIdTypeArray>(data, "ComponentId", count,
-    [&](Offset piece) { return components.ranks[components.ofPiece[piece]]; });
-  addColumn<vtkIdTypeArray>(data, "PatchId", count, [](Offset) { return 0; });
-  addColumn<vtkIdTypeArray>(data, "InputCellId", count,
+  columns.add<vtkIdTypeArray>(
+    "ComponentId", [&](Offset piece) { return components.ranks[components.ofPiece[piece]]; });
+  columns.add<vtkIdTypeArray>(
+    "PatchId", [&](Offset piece) { return source.patchOfFacet(diagram.facets[piece]); });
+  columns.add<vtkIdTypeArray>("InputCellId",
     [&](Offset piece) { return source.prepared.mesh.facetInputCells[diagram.facets[piece]]; });
   const CellSums& sums = source.result.sums;
-  addColumn<vtkDoubleArray>(
-    data, "CellArea", count, [&](Offset piece) { return sums.area[site(piece)]; });
-  addColumn<vtkDoubleArray>(data, "CellMass", count,
-    [&](Offset piece) { return sums.mass[site(piece)] * source.massUnit(); });
-  addColumn<vtkDoubleArray>(data, "CellEnergy", count,
-    [&](Offset piece) { return sums.energy[site(piece)] * source.energyUnit(); });
+  columns.add<vtkDoubleArray>("CellArea", [&](Offset piece) { return sums.area[site(piece)]; });
+  columns.add<vtkDoubleArray>(
+    "CellMass", [&](Offset piece) { return sums.mass[site(piece)] * source.massUnit(); });
+  columns.add<vtkDoubleArray>(
+    "CellEnergy", [&](Offset piece) { return sums.energy[site(piece)] * source.energyUnit(); });
+}
+
+enum EdgeType
+{
+  Hidden = -1, ///< between two facets, or drawn for another piece or facet
+  CellBorder = 0,
+  Feature = 1,
+  Boundary = 2,
+  NonManifold = 3
+};
+
+/** What the edge that starts at a vertex of a piece is drawn as; each edge is drawn once. */
+EdgeType typeOf(const DiagramSource& source, Offset piece, Index across)
+{
+  const Diagram& diagram = source.result.diagram;
+  const std::optional<Features>& features = source.prepared.features;
+  const EdgeTable& edges = features ? features->edges : source.result.edges;
+  if (across >= 0)
+  {
+    return across < diagram.sites[piece] ? Hidden : CellBorder;
+  }
+  const Index facet = diagram.facets[piece];
+  const Index edge = edges.facetEdges[facet][-1 - across];
+  const bool first = edges.edgeFacets[edges.edgeFacetsBegin[edge]] == facet;
+  if (first && features && features->kinds[edge] == FeatureKind::Crease)
+  {
+    return Feature;
+  }
+  if (edges.valence(edge) == 2 || !first)
+  {
+    return Hidden;
+  }
+  return edges.valence(edge) == 1 ? Boundary : NonManifold;
+}
+
+/** Calls `visit(line, piece, vertex, next, type)` for all that is drawn; `begin(count)` before. */
+template <class Begin, class Visit>
+void forEachLine(const DiagramSource& source, const Begin& begin, const Visit& visit)
+{
+  const Diagram& diagram = source.result.diagram;
+  const Blocks blocks = longBlocks(diagram.numberOfPieces());
+  const auto forEachEdge = [&](Offset block, const auto& draw)
+  {
+    for (Offset piece = blocks.begin(block); piece < blocks.end(block); ++piece)
+    {
+      const Offset first = diagram.vertexBegin[piece];
+      const Offset end = diagram.vertexBegin[piece + 1];
+      for (Offset v = first; v < end; ++v)
+      {
+        if (const EdgeType type = typeOf(source, piece, diagram.across[v]); type != Hidden)
+        {
+          draw(piece, v, v + 1 == end ? first : v + 1, type);
+        }
+      }
+    }
+  };
+  std::vector<Offset> lines(static_cast<std::size_t>(blocks.count()), 0);
+  fillBlocks(blocks.count(), source.control,
+    [&](Offset block)
+    { forEachEdge(block, [&](Offset, Offset, Offset, EdgeType) { ++lines[block]; }); });
+  begin(scanCounts(lines));
+  fillBlocks(blocks.count(), source.control,
+    [&](Offset block)
+    {
+      forEachEdge(block,
+        [&](Offset piece, Offset v, Offset next, EdgeType type)
+        { visit(lines[block]++, piece, v, next, type); });
+    });
+}
+
+/** Numbers the diagram's points in the order in which the ids name them; returns the points. */
+std::vector<Offset> renumber(
+  vtkIdTypeArray* ids, std::size_t numberOfPoints, const RunControl& control)
+{
+  vtkIdType* points = ids->GetPointer(0);
+  const Offset uses = ids->GetNumberOfValues();
+  std::vector<Offset> used;
+  LowestItems firstUses(numberOfPoints);
+  std::vector<Offset> numbers(numberOfPoints);
+  fillItems(uses, control, [&](Offset use) { firstUses.add(points[use], use); });
+  static_cast<void>(packItems(
+    uses, control, [&](Offset use) { return firstUses[points[use]] == use; },
+    [&](Offset count) { used.resize(static_cast<std::size_t>(count)); },
+    [&](Offset use, Offset number)
+    {
+      used[number] = points[use];
+      numbers[points[use]] = number;
+    }));
+  fillItems(uses, control, [&](Offset use) { points[use] = numbers[points[use]]; });
+  return used;
 }
 }
 
@@ -71,7 +157,9 @@ void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
   int embeddingDimension, vtkPolyData* output)
 {
   const Diagram& diagram = source.result.diagram;
-  output->SetPoints(placePoints(source, points));
+  output->SetPoints(makePoints(
+    static_cast<Offset>(points.points.size()),
+    [&](Offset k) { return placeOf(source.prepared.mesh, points.points[k]); }, source.control));
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(diagram.numberOfPieces() + 1);
   std::copy(diagram.vertexBegin.begin(), diagram.vertexBegin.end(), offsets->GetPointer(0));
@@ -82,7 +170,7 @@ void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
   polygons->SetData(offsets, connectivity);
   output->SetPolys(polygons);
   addPieceArrays(source, output->GetCellData());
-  if (source.surface().dimension <= embeddingDimension)
+  if (source.dimension() <= embeddingDimension)
   {
     addEmbedding(source, points, output->GetPointData());
   }
@@ -90,64 +178,43 @@ void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
 
 void writeEdges(const DiagramSource& source, const DiagramPoints& points, vtkPolyData* output)
 {
-  enum EdgeType
-  {
-    CellBorder = 0,
-    Boundary = 2,
-    NonManifold = 3
-  };
   const Diagram& diagram = source.result.diagram;
-  const EdgeTable& edges = source.result.edges;
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdTypeArray> types;
-  types->SetName("EdgeType");
-  vtkNew<vtkIdTypeArray> sites;
-  sites->SetName("SiteId");
-  sites->SetNumberOfComponents(2);
-  std::vector<Offset> outputPoint(points.points.size(), -1);
-  std::vector<Offset> used;
-  const auto pointOf = [&](Offset vertex)
-  {
-    Offset& id = outputPoint[points.ofVertex[vertex]];
-    if (id < 0)
+  vtkIdType* ends = nullptr;
+  vtkIdType* types = nullptr;
+  vtkIdType* sites = nullptr;
+  vtkNew<vtkIdTypeArray> connectivity;
+  vtkNew<vtkIdTypeArray> offsets;
+  forEachLine(
+    source,
+    [&](Offset count)
     {
-      id = static_cast<Offset>(used.size());
-      used.push_back(points.ofVertex[vertex]);
-    }
-    return id;
-  };
-  for (Offset piece = 0; piece < diagram.numberOfPieces(); ++piece)
-  {
-    const Index facet = diagram.facets[piece];
-    const Offset begin = diagram.vertexBegin[piece];
-    const Offset end = diagram.vertexBegin[piece + 1];
-    for (Offset v = begin; v < end; ++v)
+      const Columns columns{ output->GetCellData(), count, source.control };
+      types = columns.addEmpty<vtkIdTypeArray>("EdgeType", 1)->GetPointer(0);
+      sites = columns.addEmpty<vtkIdTypeArray>("SiteId", 2)->GetPointer(0);
+      connectivity->SetNumberOfValues(2 * count);
+      ends = connectivity->GetPointer(0);
+      offsets->SetNumberOfValues(count + 1);
+    },
+    [&](Offset line, Offset piece, Offset v, Offset next, EdgeType type)
     {
-      const Index across = diagram.vertices[v].across;
-      Index type = CellBorder;
-      if (across < 0)
-      {
-        const Index edge = edges.facetEdges[facet][-1 - across];
-        const bool first = edges.edgeFacets[edges.edgeFacetsBegin[edge]] == facet;
-        if (edges.valence(edge) == 2 || !first)
-        {
-          continue;
-        }
-        type = edges.valence(edge) == 1 ? Boundary : NonManifold;
-      }
-      else if (across < diagram.sites[piece])
-      {
-        continue;
-      }
-      lines->InsertNextCell({ pointOf(v), pointOf(v + 1 == end ? begin : v + 1) });
-      types->InsertNextValue(type);
-      sites->InsertNextTuple2(diagram.sites[piece], across < 0 ? -1 : across);
-    }
+      const Index across = diagram.across[v];
+      ends[2 * line] = points.ofVertex[v];
+      ends[2 * line + 1] = points.ofVertex[next];
+      types[line] = type;
+      sites[2 * line] = diagram.sites[piece];
+      sites[2 * line + 1] = across < 0 ? -1 : across;
+    });
+  for (vtkIdType line = 0; line < offsets->GetNumberOfValues(); ++line)
+  {
+    offsets->SetValue(line, 2 * line);
   }
-  output->SetPoints(makePoints(static_cast<Offset>(used.size()),
-    [&](Offset k) { return placeOf(source.prepared.mesh, points.points[used[k]]); }));
+  const std::vector<Offset> used = renumber(connectivity, points.points.size(), source.control);
+  output->SetPoints(makePoints(
+    static_cast<Offset>(used.size()),
+    [&](Offset k) { return placeOf(source.prepared.mesh, points.points[used[k]]); },
+    source.control));
+  vtkNew<vtkCellArray> lines;
+  lines->SetData(offsets, connectivity);
   output->SetLines(lines);
-  output->GetCellData()->AddArray(types);
-  output->GetCellData()->AddArray(sites);
 }
 }

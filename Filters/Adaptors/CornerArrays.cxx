@@ -1,5 +1,6 @@
 #include "Adaptors/CornerArrays.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 
 #include <algorithm>
@@ -42,25 +43,82 @@ std::vector<std::pair<Index, Offset>> inputPointsOfCorners(const SurfaceMesh& me
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
+
+/** False for arrays that are not of doubles or floats, tuple after tuple, or too short. */
+bool lendArray(vtkDataArray* array, Offset numberOfInputPoints, LentArray& lent)
+{
+  lent.dimension = array->GetNumberOfComponents();
+  if (auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(array))
+  {
+    lent.doubles = doubles->GetPointer(0);
+  }
+  else if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+  {
+    lent.floats = floats->GetPointer(0);
+  }
+  return (lent.doubles || lent.floats) && array->GetNumberOfTuples() == numberOfInputPoints;
 }
 
-Status readCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, Offset numberOfInputPoints,
-  CornerCoordinates& values)
+/** Calls `test(values of the array)` with the pointer to its doubles or floats. */
+template <class Test>
+bool onValues(const LentArray& array, const Test& test)
+{
+  return array.doubles ? test(array.doubles) : test(array.floats);
+}
+
+bool isFinite(const LentArray& array, Offset point)
+{
+  return onValues(array,
+    [&](const auto* values)
+    {
+      const auto* row = values + point * array.dimension;
+      return std::all_of(
+        row, row + array.dimension, [](auto value) { return std::isfinite(value); });
+    });
+}
+
+bool isEqual(const LentArray& array, Offset point, Offset other)
+{
+  return onValues(array,
+    [&](const auto* values)
+    {
+      const auto* row = values + point * array.dimension;
+      return std::equal(row, row + array.dimension, values + other * array.dimension);
+    });
+}
+}
+
+Status appendCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, double scale,
+  Offset numberOfInputPoints, CornerCoordinates& coordinates)
 {
   if (Status status = checkTuples(array, numberOfInputPoints); !status.ok())
   {
     return status;
   }
   const int size = array->GetNumberOfComponents();
-  values.dimension = size;
-  values.values.assign(mesh.cornerPoints.size() * static_cast<std::size_t>(size), 0.0);
+  const int before = coordinates.dimension;
+  const auto corners = static_cast<std::size_t>(mesh.numberOfCorners());
+  if (before == 0)
+  {
+    coordinates.dimension = size;
+    coordinates.values.assign(corners * static_cast<std::size_t>(size), 0.0);
+  }
+  else
+  {
+    widenCoordinates(coordinates, size);
+  }
+  const auto rowOf = [&](std::size_t corner)
+  {
+    return coordinates.values.data() + corner * static_cast<std::size_t>(coordinates.dimension) +
+      before;
+  };
   std::vector<double> tuple(static_cast<std::size_t>(size));
-  std::vector<Index> counts(mesh.cornerPoints.size(), 0);
+  std::vector<Index> counts(corners, 0);
   for (const auto& [corner, point] : inputPointsOfCorners(mesh))
   {
     array->GetTuple(point, tuple.data());
     ++counts[corner];
-    double* mean = values.values.data() + static_cast<std::size_t>(corner) * size;
+    double* mean = rowOf(static_cast<std::size_t>(corner));
     for (int c = 0; c < size; ++c)
     {
       if (!std::isfinite(tuple[c]))
@@ -72,7 +130,50 @@ Status readCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, Offset numb
       mean[c] += (tuple[c] - mean[c]) / counts[corner];
     }
   }
+  for (std::size_t corner = 0; corner < corners; ++corner)
+  {
+    double* row = rowOf(corner);
+    std::transform(row, row + size, row, [scale](double value) { return scale * value; });
+  }
   return Status::success();
+}
+
+bool lendCornerArrays(const SurfaceMesh& mesh,
+  const std::vector<std::pair<vtkDataArray*, double>>& arrays, Offset numberOfInputPoints,
+  int leastDimension, CornerCoordinates& coordinates)
+{
+  std::vector<LentArray> lent(arrays.size());
+  int total = coordinates.dimension;
+  for (std::size_t k = 0; k < arrays.size(); ++k)
+  {
+    if (!lendArray(arrays[k].first, numberOfInputPoints, lent[k]))
+    {
+      return false;
+    }
+    lent[k].scale = arrays[k].second;
+    total += lent[k].dimension;
+  }
+  if (lent.empty() || total < leastDimension)
+  {
+    return false;
+  }
+  std::vector<Offset> rows(static_cast<std::size_t>(mesh.numberOfCorners()), -1);
+  for (const auto& [corner, point] : inputPointsOfCorners(mesh))
+  {
+    const bool first = rows[corner] < 0;
+    rows[corner] = first ? point : rows[corner];
+    for (const LentArray& array : lent)
+    {
+      if (first ? !isFinite(array, point) : !isEqual(array, point, rows[corner]))
+      {
+        return false;
+      }
+    }
+  }
+  coordinates.dimension = total;
+  coordinates.lent = std::move(lent);
+  coordinates.rows = std::move(rows);
+  return true;
 }
 
 Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals)

@@ -9,18 +9,34 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Support/Status.h"
 
+#include <utility>
+#include <vector>
+
 class vtkDataArray;
 
 namespace remesh
 {
 /**
- * The array's value at each corner: the mean over the distinct input points merged into it.
+ * Appends `scale` times the array's value at each corner, the mean over the distinct input points
+ * merged into it. Holds the old and the new coordinates at once.
  *
+ * @param coordinates of the corners so far; of dimension 0 at first.
  * @return InvalidInput, with the array's name, for a wrong number of tuples or a value at a used
  *         point that is not finite.
  */
-Status readCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, Offset numberOfInputPoints,
-  CornerCoordinates& values);
+Status appendCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, double scale,
+  Offset numberOfInputPoints, CornerCoordinates& coordinates);
+
+/**
+ * Appends arrays, each times its scale, without copying a value: with the same rows as above.
+ *
+ * @return false, and nothing was done, where that cannot be: for fewer than `leastDimension`
+ *         components in all; arrays that are not of doubles or floats one tuple after the other;
+ *         merged points with different values; and whatever appendCornerArray calls invalid.
+ */
+bool lendCornerArrays(const SurfaceMesh& mesh,
+  const std::vector<std::pair<vtkDataArray*, double>>& arrays, Offset numberOfInputPoints,
+  int leastDimension, CornerCoordinates& coordinates);
 
 /** All tuples of a point array of three components, as they are. */
 Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals);

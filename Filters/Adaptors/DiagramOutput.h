@@ -26,14 +26,31 @@ struct DiagramSource
   /** Given sites as they stood in R^3, or none; for sites whose cell is empty. */
   const std::vector<Point3>& givenPlaces;
   int seed;
+  /** Silent; when it cancels, the outputs are of no use. */
+  RunControl control;
 
   const EmbeddedSurface& surface() const { return this->prepared.surface; }
+  /** Of the embedding proper, without the coordinates that keep patches apart. */
+  int dimension() const { return this->surface().callerDimension; }
+  /** The patch of a facet and of a site. */
+  Offset patchOfFacet(Index facet) const
+  {
+    return this->prepared.features ? this->prepared.features->facetPatches[facet] : 0;
+  }
+  Offset patchOfSite(Index site) const
+  {
+    return this->surface().patchOf(this->result.sites.site(site));
+  }
   double massUnit() const { return this->surface().unit * this->surface().unit; }
   double energyUnit() const { return this->massUnit() * this->massUnit(); }
 };
 
-/** Port 0: the restricted Delaunay triangulation. */
-void writeSurface(const DiagramSource& source, vtkPolyData* output);
+/**
+ * Port 0: the restricted Delaunay triangulation, with the input's arrays (CarriedArrays.h).
+ * `warnings` gets a sentence for arrays that are lost.
+ */
+void writeSurface(
+  const DiagramSource& source, vtkPolyData* output, std::vector<std::string>& warnings);
 
 /** Port 1: the pieces of the cells. `embeddingDimension`: largest d with the array `Embedding`. */
 void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,

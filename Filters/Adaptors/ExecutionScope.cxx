@@ -16,6 +16,19 @@ bool hasBackend(const std::string& backend)
   return backend == "Sequential" || (backend == "STDThread" && VTK_SMP_ENABLE_STDTHREAD) ||
     (backend == "TBB" && VTK_SMP_ENABLE_TBB);
 }
+
+/**
+ * VTK 9.1 does not limit TBB's threads to the number that it was last limited to, though the limit
+ * was lifted in between: a second run would have them all. Another number first makes it.
+ */
+void limitThreads(int threads, int processors)
+{
+  if (threads > 0 && processors > 1)
+  {
+    vtkSMPTools::Initialize(threads > 1 ? threads - 1 : 2);
+    vtkSMPTools::Initialize(threads);
+  }
+}
 }
 
 Execution chooseExecution(const std::string& backend, int threads, bool& available)
@@ -38,6 +51,7 @@ void runInScope(Execution& execution, const std::function<void()>& work)
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ execution.threads, execution.backend, false },
     [&]()
     {
+      limitThreads(execution.threads, processors);
       execution.backend = vtkSMPTools::GetBackend();
       execution.threads = vtkSMPTools::GetEstimatedNumberOfThreads();
       work();

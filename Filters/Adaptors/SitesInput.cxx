@@ -1,6 +1,7 @@
 #include "Adaptors/SitesInput.h"
 
 #include "Adaptors/ArrayHelpers.h"
+#include "Embedding/CornerReader.h"
 #include "Mesh/ClosestPoint.h"
 
 #include "vtkDataArray.h"
@@ -54,6 +55,7 @@ void projectOnSurface(
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(makePolyData(mesh));
   locator->BuildLocator();
+  CornerReader<Eigen::Dynamic> reader(surface);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     double closest[3], squared = 0.0;
@@ -63,13 +65,14 @@ void projectOnSurface(
     const Triple& points = mesh.facetPoints[facet];
     const ClosestPoint at = closestOnTriangle(
       places[i], mesh.points[points[0]], mesh.points[points[1]], mesh.points[points[2]]);
+    const auto corners = reader.facet(static_cast<Index>(facet));
     double* x = sites.site(static_cast<Index>(i));
     for (int c = 0; c < surface.dimension; ++c)
     {
       x[c] = 0.0;
       for (int k = 0; k < 3; ++k)
       {
-        x[c] += at.b[k] * surface.corner(surface.facetCorners[facet][k])[c];
+        x[c] += at.b[k] * corners[k][c];
       }
     }
   }

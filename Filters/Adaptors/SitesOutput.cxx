@@ -10,11 +10,15 @@ namespace remesh
 {
 namespace
 {
-/** The centroid of each cell in R^3, over all its components; given places of empty cells. */
+/**
+ * The centroid of each cell in R^3, over all its components; given places of empty cells; places of
+ * sites on features.
+ */
 std::vector<Point3> placeSites(const DiagramSource& source)
 {
   const RemeshResult& result = source.result;
   const Components& components = result.components;
+  const FeatureSites& features = result.featureSites;
   const auto count = static_cast<std::size_t>(result.sites.count());
   std::vector<Point3> places(count, Point3::Zero());
   std::vector<double> weights(count, 0.0);
@@ -26,7 +30,11 @@ std::vector<Point3> placeSites(const DiagramSource& source)
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (weights[i] > 0.0)
+    if (i < features.pointOfSite.size())
+    {
+      places[i] = features.points[features.pointOfSite[i]].place;
+    }
+    else if (weights[i] > 0.0)
     {
       places[i] /= weights[i];
     }
@@ -39,24 +47,31 @@ std::vector<Point3> placeSites(const DiagramSource& source)
 }
 
 /** The site's centroid (its own place where the cell is empty) and the site itself, d values. */
-void addPlaces(const DiagramSource& source, vtkPointData* data)
+void addPlaces(const DiagramSource& source, const Columns& columns)
 {
   const RemeshResult& result = source.result;
-  const int d = source.surface().dimension;
-  const Offset count = result.sites.count();
-  const auto embedding = addArray<vtkDoubleArray>(data, "Embedding", count, d);
-  const auto centroid = addArray<vtkDoubleArray>(data, "Centroid", count, d);
-  for (Offset i = 0; i < count; ++i)
-  {
-    const double* x = result.sites.site(static_cast<Index>(i));
-    const double mass = result.sums.mass[i];
-    for (int c = 0; c < d; ++c)
+  const int d = source.dimension();
+  const int stride = source.surface().dimension;
+  columns.addTuples<vtkDoubleArray>("Embedding", d,
+    [&](Offset i, double* values)
     {
-      const double shift = mass > 0.0 ? result.sums.moment[i * d + c] / mass : 0.0;
-      embedding->SetTypedComponent(i, c, source.surface().toCaller(x[c], c));
-      centroid->SetTypedComponent(i, c, source.surface().toCaller(x[c] + shift, c));
-    }
-  }
+      const double* x = result.sites.site(static_cast<Index>(i));
+      for (int c = 0; c < d; ++c)
+      {
+        values[c] = source.surface().toCaller(x[c], c);
+      }
+    });
+  columns.addTuples<vtkDoubleArray>("Centroid", d,
+    [&](Offset i, double* values)
+    {
+      const double* x = result.sites.site(static_cast<Index>(i));
+      const double mass = result.sums.mass[i];
+      for (int c = 0; c < d; ++c)
+      {
+        const double shift = mass > 0.0 ? result.sums.moment[i * stride + c] / mass : 0.0;
+        values[c] = source.surface().toCaller(x[c] + shift, c);
+      }
+    });
 }
 }
 
@@ -66,43 +81,39 @@ void writeSites(const DiagramSource& source, vtkPolyData* output)
   const CellSums& sums = result.sums;
   const Offset count = result.sites.count();
   const std::vector<Point3> places = placeSites(source);
-  output->SetPoints(makePoints(count, [&](Offset i) -> const Point3& { return places[i]; }));
-  vtkNew<vtkCellArray> vertices;
-  vertices->AllocateExact(count, count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    vertices->InsertNextCell({ i });
-  }
-  output->SetVerts(vertices);
+  output->SetPoints(makePoints(
+    count, [&](Offset i) -> const Point3& { return places[i]; }, source.control));
+  output->SetVerts(
+    makeCells(count, 1, source.control, [](Offset i, vtkIdType* ids) { ids[0] = i; }));
 
-  vtkPointData* data = output->GetPointData();
-  addColumn<vtkIdTypeArray>(data, "SiteId", count, [](Offset i) { return i; });
-  addColumn<vtkIdTypeArray>(data, "MergedSiteId", count, [](Offset i) { return i; });
-  addColumn<vtkIdTypeArray>(data, "PatchId", count, [](Offset) { return 0; });
-  addColumn<vtkDoubleArray>(data, "Weight", count, [](Offset) { return 0.0; });
-  addPlaces(source, data);
-  addColumn<vtkDoubleArray>(data, "CellArea", count, [&](Offset i) { return sums.area[i]; });
-  addColumn<vtkDoubleArray>(
-    data, "CellMass", count, [&](Offset i) { return sums.mass[i] * source.massUnit(); });
-  addColumn<vtkDoubleArray>(
-    data, "CellEnergy", count, [&](Offset i) { return sums.energy[i] * source.energyUnit(); });
-  addColumn<vtkIdTypeArray>(
-    data, "NumberOfNeighbors", count, [&](Offset i) { return result.numbersOfNeighbors[i]; });
+  const Columns columns{ output->GetPointData(), count, source.control };
+  columns.add<vtkIdTypeArray>("SiteId", [](Offset i) { return i; });
+  columns.add<vtkIdTypeArray>("MergedSiteId",
+    [&](Offset i) { return result.featureSites.mergedSite(static_cast<Index>(i)); });
+  columns.add<vtkIdTypeArray>(
+    "PatchId", [&](Offset i) { return source.patchOfSite(static_cast<Index>(i)); });
+  columns.add<vtkDoubleArray>("Weight", [](Offset) { return 0.0; });
+  addPlaces(source, columns);
+  columns.add<vtkDoubleArray>("CellArea", [&](Offset i) { return sums.area[i]; });
+  columns.add<vtkDoubleArray>(
+    "CellMass", [&](Offset i) { return sums.mass[i] * source.massUnit(); });
+  columns.add<vtkDoubleArray>(
+    "CellEnergy", [&](Offset i) { return sums.energy[i] * source.energyUnit(); });
+  columns.add<vtkIdTypeArray>(
+    "NumberOfNeighbors", [&](Offset i) { return result.numbersOfNeighbors[i]; });
 }
 
 void writeConvergence(const DiagramSource& source, vtkTable* output)
 {
   const auto& rows = source.result.convergence.rows;
-  const auto count = static_cast<Offset>(rows.size());
-  vtkFieldData* data = output->GetRowData();
-  addColumn<vtkIdTypeArray>(data, "Iteration", count, [&](Offset k) { return rows[k].iteration; });
-  addColumn<vtkDoubleArray>(
-    data, "Energy", count, [&](Offset k) { return rows[k].energy * source.energyUnit(); });
+  const Columns columns{ output->GetRowData(), static_cast<Offset>(rows.size()), source.control };
+  columns.add<vtkIdTypeArray>("Iteration", [&](Offset k) { return rows[k].iteration; });
+  columns.add<vtkDoubleArray>(
+    "Energy", [&](Offset k) { return rows[k].energy * source.energyUnit(); });
   const double gradientUnit = source.massUnit() * source.surface().unit;
-  addColumn<vtkDoubleArray>(
-    data, "GradientNorm", count, [&](Offset k) { return rows[k].gradientNorm * gradientUnit; });
-  addColumn<vtkDoubleArray>(
-    data, "StepLength", count, [&](Offset k) { return rows[k].stepLength; });
-  addColumn<vtkDoubleArray>(data, "Time", count, [&](Offset k) { return rows[k].seconds; });
+  columns.add<vtkDoubleArray>(
+    "GradientNorm", [&](Offset k) { return rows[k].gradientNorm * gradientUnit; });
+  columns.add<vtkDoubleArray>("StepLength", [&](Offset k) { return rows[k].stepLength; });
+  columns.add<vtkDoubleArray>("Time", [&](Offset k) { return rows[k].seconds; });
 }
 }

@@ -13,12 +13,14 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <Eigen/Geometry>
 
@@ -321,6 +323,33 @@ Status CellReader::ReadStrips()
   }
   return Status::success();
 }
+
+/**
+ * Leaves out the triangles of ghost cells: what is hidden, and what another process has as its own
+ * (as VTK's filters that measure or draw surfaces do).
+ */
+void removeGhosts(vtkPolyData* input, TriangleSoup& soup)
+{
+  vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
+  if (!ghosts || ghosts->GetNumberOfTuples() != input->GetNumberOfCells() ||
+    ghosts->GetNumberOfComponents() != 1)
+  {
+    return;
+  }
+  constexpr int left = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL |
+    vtkDataSetAttributes::HIDDENCELL;
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+  {
+    if ((ghosts->GetValue(soup.inputCells[t]) & left) == 0)
+    {
+      soup.triangles[kept] = soup.triangles[t];
+      soup.inputCells[kept++] = soup.inputCells[t];
+    }
+  }
+  soup.triangles.resize(kept);
+  soup.inputCells.resize(kept);
+}
 }
 
 Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup)
@@ -351,7 +380,11 @@ Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup)
   if (!status.ok())
   {
     soup = TriangleSoup();
+    return status;
   }
-  return status;
+  removeGhosts(input, soup);
+  return soup.triangles.empty() && input->GetCellGhostArray()
+    ? Status::empty("All cells of the surface are ghosts.")
+    : Status::success();
 }
 }

@@ -23,12 +23,13 @@ namespace remesh
  * - Repeated consecutive points of a polygon count once. A polygon that has one or two points left
  *   is handed on as one degenerate triangle, which the intake then counts and drops; one without
  *   points is skipped.
+ * - Cells marked as duplicate, refined or hidden in the input's ghost array are left out.
  *
  * @param input any point type; coordinates are converted to double, and not looked at.
  * @param soup is replaced; empty on failure.
- * @return EmptyInput for no points and no cells; InvalidInput for a null input, for one without
- *         polygons and strips, for an inconsistent cell array, and for point ids out of range.
- * Cost: O(points + cells), polygons of more than four points apart.
+ * @return EmptyInput for no points and no cells, or ghosts alone; InvalidInput for a null input,
+ * for one without polygons and strips, for an inconsistent cell array, and for point ids out of
+ * range. Cost: O(points + cells), polygons of more than four points apart.
  */
 Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup);
 }

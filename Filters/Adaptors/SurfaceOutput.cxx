@@ -1,129 +1,96 @@
 #include "Adaptors/ArrayHelpers.h"
-#include "Adaptors/DiagramOutput.h"
+#include "Adaptors/CarriedArrays.h"
+#include "Mesh/FacetGeometry.h"
 
-#include "vtkIdList.h"
 #include "vtkPointData.h"
-
-#include <cstring>
 
 namespace remesh
 {
 namespace
 {
-/** The input's point arrays but ghost marks and those that do not fit its points. */
-vtkSmartPointer<vtkPointData> soundArrays(vtkPolyData* input)
+/** The surface's normals at the vertices' places, unit vectors; the facet's where they cancel. */
+void addNormals(const DiagramSource& source, const Columns& columns)
 {
-  auto sound = vtkSmartPointer<vtkPointData>::New();
-  sound->ShallowCopy(input->GetPointData());
-  for (int k = sound->GetNumberOfArrays() - 1; k >= 0; --k)
-  {
-    vtkAbstractArray* array = sound->GetAbstractArray(k);
-    const bool isGhost = array->GetName() &&
-      std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0;
-    if (isGhost || array->GetNumberOfTuples() != input->GetNumberOfPoints())
-    {
-      sound->RemoveArray(k);
-    }
-  }
-  return sound;
-}
-
-/** The input's point arrays, interpolated where each vertex lies on the input. */
-void interpolateArrays(const DiagramSource& source, vtkPointData* data)
-{
-  const vtkSmartPointer<vtkPointData> input = soundArrays(source.input);
+  constexpr double cancelled = 1e-12; // of unit vectors: nothing but rounding error is left
   const auto& locations = source.result.locations;
-  const auto count = static_cast<vtkIdType>(locations.size());
-  data->InterpolateAllocate(input, count);
-  vtkNew<vtkIdList> points;
-  points->SetNumberOfIds(3);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    const auto& inputPoints = source.prepared.mesh.facetInputPoints[locations[k].facet];
-    double weights[3];
-    for (int c = 0; c < 3; ++c)
+  columns.addTuples<vtkDoubleArray>("Normals", 3,
+    [&](Offset k, double* values)
     {
-      points->SetId(c, inputPoints[c]);
-      weights[c] = locations[k].b[c];
-    }
-    data->InterpolatePoint(input, k, points, weights);
-  }
+      const Triple& corners = source.prepared.mesh.facetCorners[locations[k].facet];
+      Point3 normal = Point3::Zero();
+      for (int c = 0; c < 3; ++c)
+      {
+        normal += locations[k].b[c] * source.prepared.normals[corners[c]];
+      }
+      if (!(normal.norm() > cancelled))
+      {
+        const Triple& points = source.prepared.mesh.facetPoints[locations[k].facet];
+        const auto& places = source.prepared.mesh.points;
+        normal = facetNormal(places[points[0]], places[points[1]], places[points[2]]);
+      }
+      Point3::Map(values) = normal.normalized();
+    });
 }
 
-/** The surface's normals, interpolated there and normalised. */
-void addNormals(const DiagramSource& source, vtkPointData* data)
-{
-  const auto& locations = source.result.locations;
-  const auto array =
-    addArray<vtkDoubleArray>(data, "Normals", static_cast<Offset>(locations.size()), 3);
-  for (std::size_t k = 0; k < locations.size(); ++k)
-  {
-    const Triple& corners = source.prepared.mesh.facetCorners[locations[k].facet];
-    Point3 normal = Point3::Zero();
-    for (int c = 0; c < 3; ++c)
-    {
-      normal += locations[k].b[c] * source.prepared.normals[corners[c]];
-    }
-    normal.stableNormalize();
-    array->SetTuple(static_cast<vtkIdType>(k), normal.data());
-  }
-  data->SetActiveNormals("Normals");
-}
-
-void addSiteArrays(const DiagramSource& source, vtkPointData* data)
+void addSiteArrays(const DiagramSource& source, const Columns& columns)
 {
   const Components& components = source.result.components;
-  const Offset count = components.count();
-  addColumn<vtkIdTypeArray>(data, "SiteId", count, [&](Offset k) { return components.sites[k]; });
-  addColumn<vtkIdTypeArray>(
-    data, "ComponentId", count, [&](Offset k) { return components.ranks[k]; });
-  addColumn<vtkDoubleArray>(data, "CellArea", count, [&](Offset k) { return components.area[k]; });
-  addColumn<vtkDoubleArray>(
-    data, "CellMass", count, [&](Offset k) { return components.mass[k] * source.massUnit(); });
-  addColumn<vtkDoubleArray>(data, "CellEnergy", count,
-    [&](Offset k) { return components.energy[k] * source.energyUnit(); });
-  const int d = source.surface().dimension;
-  const auto embedding = addArray<vtkDoubleArray>(data, "Embedding", count, d);
-  for (Offset k = 0; k < count; ++k)
-  {
-    const double* x = source.result.sites.site(components.sites[k]);
-    for (int c = 0; c < d; ++c)
+  columns.add<vtkIdTypeArray>("SiteId", [&](Offset k) { return components.sites[k]; });
+  columns.add<vtkIdTypeArray>("ComponentId", [&](Offset k) { return components.ranks[k]; });
+  columns.add<vtkDoubleArray>("CellArea", [&](Offset k) { return components.area[k]; });
+  columns.add<vtkDoubleArray>(
+    "CellMass", [&](Offset k) { return components.mass[k] * source.massUnit(); });
+  columns.add<vtkDoubleArray>(
+    "CellEnergy", [&](Offset k) { return components.energy[k] * source.energyUnit(); });
+  const int d = source.dimension();
+  columns.addTuples<vtkDoubleArray>("Embedding", d,
+    [&](Offset k, double* values)
     {
-      embedding->SetTypedComponent(k, c, source.surface().toCaller(x[c], c));
-    }
-  }
+      const double* x = source.result.sites.site(components.sites[k]);
+      for (int c = 0; c < d; ++c)
+      {
+        values[c] = source.surface().toCaller(x[c], c);
+      }
+    });
 }
 
 void addFacts(const DiagramSource& source, vtkFieldData* data)
 {
   const RemeshResult& result = source.result;
-  const auto cells = static_cast<Offset>(result.sites.count() - result.emptyCells);
-  const auto add = [data](const char* name, Offset value)
-  { addColumn<vtkIdTypeArray>(data, name, 1, [value](Offset) { return value; }); };
+  const Columns columns{ data, 1, source.control };
+  const auto add = [&columns](const char* name, Offset value)
+  { columns.add<vtkIdTypeArray>(name, [value](Offset) { return value; }); };
+  add("NumberOfFlippedTriangles", result.placement.repair.flippedTriangles);
   add("NumberOfNonManifoldEdges", result.dual.numberOfNonManifoldEdges);
   add("EulerCharacteristic", result.dual.eulerCharacteristic);
-  add("NumberOfExtraPoints", result.components.count() - cells);
+  add("NumberOfExtraPoints", result.components.count() - result.wantedVertices);
   add("Seed", source.seed);
 }
 }
 
-void writeSurface(const DiagramSource& source, vtkPolyData* output)
+void writeSurface(
+  const DiagramSource& source, vtkPolyData* output, std::vector<std::string>& warnings)
 {
-  const auto& centroids = source.result.components.centroids;
-  output->SetPoints(makePoints(static_cast<Offset>(centroids.size()),
-    [&](Offset k) -> const Point3& { return centroids[k]; }));
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(static_cast<vtkIdType>(source.result.dual.triangles.size()),
-    3 * static_cast<vtkIdType>(source.result.dual.triangles.size()));
-  for (const Triple& triangle : source.result.dual.triangles)
-  {
-    triangles->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
-  }
-  output->SetPolys(triangles);
-  interpolateArrays(source, output->GetPointData());
-  addSiteArrays(source, output->GetPointData());
-  addNormals(source, output->GetPointData());
-  output->GetFieldData()->PassData(source.input->GetFieldData());
+  const auto& positions = source.result.placement.positions;
+  const auto& triangles = source.result.dual.triangles;
+  const auto count = static_cast<Offset>(positions.size());
+  output->SetPoints(makePoints(
+    count, [&](Offset k) -> const Point3& { return positions[k]; }, source.control));
+  output->SetPolys(makeCells(static_cast<Offset>(triangles.size()), 3, source.control,
+    [&](Offset k, vtkIdType* ids) { std::copy(triangles[k].begin(), triangles[k].end(), ids); }));
+  vtkPointData* data = output->GetPointData();
+  const Columns columns{ data, count, source.control };
+  addSiteArrays(source, columns);
+  addNormals(source, columns);
+  data->SetActiveNormals("Normals");
+  LostArrays lost;
+  carryPointArrays(source, output, lost);
+  carryCellArrays(source, output, lost);
   addFacts(source, output->GetFieldData());
+  carryFieldData(source.input, output, lost);
+  if (const std::string warning = lost.describe(); !warning.empty())
+  {
+    warnings.push_back(warning);
+  }
 }
 }

@@ -1,12 +1,18 @@
 #include "Adaptors/SurfacePreparation.h"
 
 #include "Adaptors/CornerArrays.h"
+#include "Adaptors/FacetLabels.h"
 #include "Adaptors/SurfaceIntake.h"
+#include "Features/FeatureGraph.h"
+#include "Mesh/NormalFlow.h"
 #include "Mesh/Normals.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace remesh
 {
@@ -36,9 +42,38 @@ Status takeIn(
   return buildSurfaceMesh(soup, options, control, prepared.mesh, prepared.intake);
 }
 
-Status findNormals(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
-  PreparedSurface& prepared)
+/** Cuts the mesh open along its features. */
+Status takeFeatures(
+  vtkPolyData* input, const PreparationRequest& request, PreparedSurface& prepared)
 {
+  if (!request.preserveFeatures)
+  {
+    return Status::success();
+  }
+  FeatureOptions options;
+  options.angleDegrees = request.featureAngle;
+  options.spacing = meanSpacing(prepared.mesh, request.numberOfSites);
+  if (request.labels)
+  {
+    if (Status status = readFacetLabels(
+          prepared.mesh, request.labels, input->GetNumberOfCells(), options.facetLabels);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  Features features = findFeatures(prepared.mesh, options);
+  if (features.any() || features.numberOfPatches > 1)
+  {
+    prepared.features = std::move(features);
+  }
+  return Status::success();
+}
+
+Status findNormals(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
+  PreparedSurface& prepared, bool& estimated)
+{
+  estimated = false;
   if (request.normals)
   {
     std::vector<Point3> given;
@@ -53,35 +88,75 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
     }
     prepared.warnings.push_back(status.message + " The normals are estimated instead.");
   }
-  prepared.normals = estimateCornerNormals(prepared.mesh, request.normalSmoothingPasses, control);
+  estimated = true;
+  prepared.normals =
+    estimateCornerNormals(prepared.mesh, std::max(0, request.normalSmoothingPasses), control);
   return Status::success();
 }
 
-Status makeCoordinates(
-  vtkPolyData* input, const PreparationRequest& request, PreparedSurface& prepared)
+/** Position and normal; estimated normals at the scale of the sites, if no passes were asked for.
+ */
+CornerCoordinates makeGaussMap(const PreparationRequest& request, double s, bool estimated,
+  const RunControl& control, const PreparedSurface& prepared)
 {
-  const Offset points = input->GetNumberOfPoints();
-  if (request.embedding)
+  if (!estimated || request.normalSmoothingPasses >= 0)
   {
-    if (request.embedding->GetNumberOfComponents() < 2)
-    {
-      return Status::invalid(std::string("The embedding array \"") + request.embedding->GetName() +
-        "\" has 1 component; an embedding has at least 2.");
-    }
-    return readCornerArray(prepared.mesh, request.embedding, points, prepared.coordinates);
+    return gaussMapCoordinates(prepared.mesh, prepared.normals, s);
   }
-  const double s = request.anisotropy * boundingBoxDiagonal(prepared.mesh);
-  prepared.coordinates = request.gaussMap && s > 0.0
-    ? gaussMapCoordinates(prepared.mesh, prepared.normals, s)
-    : positionCoordinates(prepared.mesh);
-  for (const auto& [array, scale] : request.coordinates)
+  std::vector<Point3> smoothed = prepared.normals;
+  smoothNormalsOver(
+    prepared.mesh, smoothingRadius(prepared.mesh, request.numberOfSites), control, smoothed);
+  return gaussMapCoordinates(prepared.mesh, smoothed, s);
+}
+
+/** The arrays of the embedding, each with its scale, or an error. */
+Status arraysOf(
+  const PreparationRequest& request, std::vector<std::pair<vtkDataArray*, double>>& arrays)
+{
+  arrays = request.coordinates;
+  if (!request.embedding)
   {
-    CornerCoordinates more;
-    if (Status status = readCornerArray(prepared.mesh, array, points, more); !status.ok())
+    return Status::success();
+  }
+  if (request.embedding->GetNumberOfComponents() < 2)
+  {
+    return Status::invalid(std::string("The embedding array \"") + request.embedding->GetName() +
+      "\" has 1 component; an embedding has at least 2.");
+  }
+  arrays.assign(1, { request.embedding, 1.0 });
+  return Status::success();
+}
+
+Status makeCoordinates(vtkPolyData* input, const PreparationRequest& request, bool estimated,
+  const RunControl& control, PreparedSurface& prepared)
+{
+  std::vector<std::pair<vtkDataArray*, double>> arrays;
+  if (Status status = arraysOf(request, arrays); !status.ok())
+  {
+    return status;
+  }
+  if (!request.embedding)
+  {
+    const double s = request.anisotropy * boundingBoxDiagonal(prepared.mesh);
+    prepared.coordinates = request.gaussMap && s > 0.0
+      ? makeGaussMap(request, s, estimated, control, prepared)
+      : positionCoordinates(prepared.mesh);
+  }
+  const Offset points = input->GetNumberOfPoints();
+  // What is done along features works on held coordinates, and patches get further ones.
+  if (request.mayLend && !prepared.features &&
+    lendCornerArrays(prepared.mesh, arrays, points, manyDimensions, prepared.coordinates))
+  {
+    return Status::success();
+  }
+  for (const auto& [array, scale] : arrays)
+  {
+    if (Status status =
+          appendCornerArray(prepared.mesh, array, scale, points, prepared.coordinates);
+        !status.ok())
     {
       return status;
     }
-    appendCoordinates(prepared.coordinates, more, scale);
   }
   return Status::success();
 }
@@ -91,6 +166,13 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   const RunControl& control, PreparedSurface& prepared)
 {
   prepared = PreparedSurface{};
+  for (vtkDataArray* array : { request.normals, request.embedding })
+  {
+    if (array)
+    {
+      prepared.usedArrays.push_back(array);
+    }
+  }
   RunControl progress = control;
   progress.enterPhase("Intake", 0.0, 0.7);
   if (Status status = takeIn(input, request.mergeTolerance, progress, prepared); !status.ok())
@@ -102,15 +184,31 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
     prepared.warnings.push_back(
       "The surface is not orientable: the mesh cannot be oriented consistently.");
   }
+  if (Status status = takeFeatures(input, request, prepared); !status.ok())
+  {
+    return status;
+  }
   progress.enterPhase("Embedding", 0.7, 1.0);
-  if (Status status = findNormals(input, request, progress.step(0, 2), prepared); !status.ok())
+  bool estimated = false;
+  if (Status status = findNormals(input, request, progress.step(0, 3), prepared, estimated);
+      !status.ok())
   {
     return status;
   }
-  if (Status status = makeCoordinates(input, request, prepared); !status.ok())
+  if (Status status = makeCoordinates(input, request, estimated, progress.step(1, 3), prepared);
+      !status.ok())
   {
     return status;
   }
-  return embedSurface(prepared.mesh, prepared.coordinates, progress.step(1, 2), prepared.surface);
+  CornerCoordinates& made = prepared.coordinates;
+  const bool keep = made.isLent() || made.dimension <= request.mostKeptDimensions;
+  CornerCoordinates coordinates = keep ? made : std::exchange(made, CornerCoordinates());
+  Status status =
+    embedSurface(prepared.mesh, std::move(coordinates), progress.step(2, 3), prepared.surface);
+  if (status.ok() && prepared.features && prepared.features->numberOfPatches > 1)
+  {
+    separatePatches(prepared.features->facetPatches, prepared.surface);
+  }
+  return status;
 }
 }

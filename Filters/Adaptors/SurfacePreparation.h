@@ -6,12 +6,16 @@
 #define remesh_SurfacePreparation_h
 
 #include "Embedding/Embedding.h"
+#include "Features/Features.h"
 #include "Mesh/Intake.h"
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkPolyData;
 
@@ -21,21 +25,37 @@ struct PreparationRequest
 {
   bool gaussMap = true;
   double anisotropy = 0.04;          ///< fraction of the bounding-box diagonal
-  int normalSmoothingPasses = -1;    ///< negative: automatic
+  int normalSmoothingPasses = -1;    ///< negative: over the spacing of `numberOfSites`
+  Offset numberOfSites = 10000;      ///< that the surface is prepared for
   double mergeTolerance = 0.0;       ///< fraction of the bounding-box diagonal
   vtkDataArray* normals = nullptr;   ///< of the points; nullptr: estimate
   bool normalsRequired = false;      ///< whether unusable normals are an error
   vtkDataArray* embedding = nullptr; ///< of the points; replaces all others
   std::vector<std::pair<vtkDataArray*, double>> coordinates; ///< appended, each times its scale
+
+  bool preserveFeatures = false;
+  double featureAngle = 35.0;         ///< degrees
+  vtkAbstractArray* labels = nullptr; ///< of the cells: features where it changes; nullptr: none
+
+  /**
+   * Whether arrays may be read in place where the embedding has many dimensions, instead of being
+   * copied. Then they must outlive the surface.
+   */
+  bool mayLend = false;
+  /** `coordinates` are kept for up to that many dimensions, and where they cost nothing. */
+  int mostKeptDimensions = std::numeric_limits<int>::max();
 };
 
 struct PreparedSurface
 {
   SurfaceMesh mesh;
   IntakeReport intake;
-  std::vector<Point3> normals;   ///< C, unit
-  CornerCoordinates coordinates; ///< C x d, the caller's units
+  std::vector<Point3> normals;   ///< C, unit; before the smoothing over the spacing
+  CornerCoordinates coordinates; ///< C x d, the caller's units; empty where not to be kept
   EmbeddedSurface surface;
+  /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
+  std::optional<Features> features;
+  std::vector<vtkAbstractArray*> usedArrays; ///< those given as normals or embedding
   std::vector<std::string> warnings;
 };
 

@@ -1,7 +1,11 @@
 #include "Remesh.h"
 
+#include "Delaunay/FeatureRepair.h"
 #include "Delaunay/TopologyRepair.h"
 #include "Embedding/Embedding.h"
+#include "Features/FeatureGraph.h"
+#include "Features/PatchSampling.h"
+#include "Optimization/FixedSites.h"
 #include "Optimization/Lloyd.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
@@ -12,7 +16,10 @@ namespace remesh
 namespace
 {
 constexpr int mostRepairs = 8;
-constexpr int settlingSteps = 2; // of Lloyd, after each
+constexpr int mostRefinements = 10; // rounds in which free sites may join curves
+constexpr int mostAdjustments = 6;
+constexpr int settledAdjustments = 2; // later ones change nothing but what they must
+constexpr int settlingSteps = 2;      // of Lloyd, after each
 
 /** Seconds since the last call. */
 class Stopwatch
@@ -30,14 +37,47 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-Status makeSites(const EmbeddedSurface& surface, const RemeshOptions& options, Sites& sites)
+/** What all steps work on. */
+struct Task
 {
+  const SurfaceMesh& mesh;
+  const EmbeddedSurface& surface;
+  const Features* features; ///< nullptr: none
+  const RemeshOptions& options;
+};
+
+/** The sites on the features, and then those of each patch. */
+Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  const RemeshOptions& options = task.options;
+  if (Status status = checkNumberOfSites(options.numberOfSites); !status.ok())
+  {
+    return status;
+  }
+  result.stations = sampleCurves(
+    task.mesh, task.surface, *task.features, options.numberOfSites, result.neededFeaturePoints);
+  result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
+  result.sites = result.featureSites.sites;
+  const std::vector<Offset> counts = shareOutSites(task.mesh, task.surface, *task.features,
+    result.featureSites, options.numberOfSites - result.featureSites.numberOfPoints());
+  return samplePatches(
+    task.surface, *task.features, counts, options.sampling, options.seed, result.sites, control);
+}
+
+Status makeSites(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  const RemeshOptions& options = task.options;
   if (options.initialSites.count() > 0)
   {
-    sites = options.initialSites;
+    result.sites = options.initialSites;
     return Status::success();
   }
-  return sampleSurface(surface, options.numberOfSites, options.sampling, options.seed, sites);
+  if (task.features)
+  {
+    return makeSitesByPatch(task, control, result);
+  }
+  return sampleSurface(
+    task.surface, options.numberOfSites, options.sampling, options.seed, result.sites, control);
 }
 
 /** Lloyd's iterations as an opening, then quasi-Newton ones. */
@@ -67,41 +107,58 @@ Status optimize(const EmbeddedSurface& surface, const RemeshOptions& options, Ru
 }
 
 /** The dual of the diagram and all that hangs on it. */
-Status dualize(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const std::vector<Index>& owners, const RunControl& control, RemeshResult& result)
+Status dualize(const Task& task, const std::vector<Index>& owners, const RunControl& control,
+  RemeshResult& result)
 {
-  if (Status status = findComponents(
-        mesh, surface, result.edges, result.diagram, owners, control.step(0, 3), result.components);
-      !status.ok())
+  Status status =
+    findComponents(task.mesh, task.surface, result.sites, result.edges, result.diagram, owners,
+      control.step(0, 4), result.components, task.features ? &result.featureSites : nullptr);
+  if (status.ok() && task.features)
   {
-    return status;
+    result.seams = sewAlongFeatures(result.diagram, result.components, task.mesh, task.surface,
+      *task.features, result.stations, result.featureSites, result.sites);
   }
-  if (Status status = locateOnSurface(
-        mesh, result.diagram, result.components, control.step(1, 3), result.locations);
-      !status.ok())
+  if (status.ok())
   {
-    return status;
+    status = buildDual(result.diagram, result.components, control.step(1, 4), result.dual,
+      task.features ? &result.seams : nullptr);
   }
-  result.dual = buildDual(result.diagram, result.components);
-  result.numbersOfNeighbors = countNeighbors(result.diagram, result.sites.count());
-  control.report(1.0);
-  return control.cancelled() ? Status::cancelled() : Status::success();
+  if (status.ok())
+  {
+    status = countNeighbors(result.diagram, result.components, result.sites.count(),
+      control.step(2, 4), result.numbersOfNeighbors);
+  }
+  if (status.ok() && task.features)
+  {
+    status = dropHangingTriangles(result.components, result.seams, control, result.dual);
+  }
+  if (status.ok())
+  {
+    status = locateOnSurface(
+      task.mesh, result.diagram, result.components, control.step(3, 4), result.locations);
+  }
+  return status;
 }
 
 /** The exact diagram of the sites and its dual. */
-Status diagramAndDual(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RunControl& control, RemeshResult& result)
+Status diagramAndDual(const Task& task, const RunControl& control, RemeshResult& result)
 {
-  // Begun afresh, the diagram depends on the sites alone, and not on the way they came.
-  RestrictedVoronoi voronoi(surface);
-  if (Status status =
-        voronoi.decompose(result.sites, control.step(0, 2), result.sums, result.diagram);
-      !status.ok())
+  std::vector<Index> owners;
   {
-    return status;
+    // Begun afresh, the diagram depends on the sites alone, and not on the way they came; ended
+    // here, its lists and sums make room for the dual.
+    RestrictedVoronoi voronoi(task.surface);
+    if (Status status =
+          voronoi.decompose(result.sites, control.step(0, 2), result.sums, result.diagram);
+        !status.ok())
+    {
+      return status;
+    }
+    result.emptyCells = countEmptyFree(result.sites, result.sums);
+    result.evaluations += voronoi.evaluations();
+    owners = voronoi.owners();
   }
-  result.evaluations += voronoi.evaluations();
-  return dualize(mesh, surface, voronoi.owners(), control.step(1, 2), result);
+  return dualize(task, owners, control.step(1, 2), result);
 }
 
 bool isManifold(const EdgeTable& edges)
@@ -129,48 +186,124 @@ Status settle(const EmbeddedSurface& surface, std::uint64_t seed, const RunContr
   return status;
 }
 
-/** Diagram and dual, again and again while sites can be moved to where the dual is no manifold. */
-Status finish(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
-  const RunControl& control, RemeshResult& result)
+/** How often what was mended; each has its own bound. */
+struct Rounds
 {
-  result.edges = buildEdgeTable(mesh.facetPoints);
+  int refinements = 0;
+  int repairs = 0;
+  int adjustments = 0;
+};
+
+/** What can be mended still, the first of these that finds anything. Returns sites touched. */
+Index mend(const Task& task, Rounds& rounds, RemeshResult& result)
+{
+  Index touched = 0;
+  if (task.features && rounds.refinements < mostRefinements)
+  {
+    touched = refineCurves(task.mesh, task.surface, *task.features, result.seams, result.stations,
+      result.featureSites, result.sites);
+    rounds.refinements += touched > 0;
+  }
+  if (touched == 0 && rounds.repairs < mostRepairs)
+  {
+    touched = moveSitesToDefects(
+      task.surface, result.diagram, result.components, result.dual, result.sums, result.sites);
+    rounds.repairs += touched > 0;
+  }
+  if (touched == 0 && task.options.exactNumber && rounds.adjustments < mostAdjustments &&
+    result.components.count() != task.options.numberOfSites)
+  {
+    touched = adjustNumber(task.surface, result.diagram, result.components, result.dual,
+      result.sums, task.options.numberOfSites, result.sites);
+    rounds.adjustments += touched > 0;
+  }
+  return touched;
+}
+
+/** Diagram and dual, again and again while there is something to mend. */
+Status finish(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  const RemeshOptions& options = task.options;
+  result.edges = task.features ? buildCutEdgeTable(task.mesh, *task.features)
+                               : buildEdgeTable(task.mesh.facetPoints, control);
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
   const bool mayRepair = options.optimize &&
     options.lloydIterations + options.quasiNewton.iterations > 0 && isManifold(result.edges);
   RunControl rest = control; // each round fills half of the progress that is left
-  for (int round = 0;; ++round, rest = rest.step(1, 2))
+  Rounds rounds;
+  for (;; rest = rest.step(1, 2))
   {
     Stopwatch watch;
-    if (Status status = diagramAndDual(mesh, surface, rest.step(0, 2), result); !status.ok())
+    if (Status status = diagramAndDual(task, rest.step(0, 2), result); !status.ok())
     {
       return status;
     }
     result.seconds.diagram += watch.lap();
-    const Index moved = mayRepair && round < mostRepairs
-      ? moveSitesToDefects(
-          surface, result.diagram, result.components, result.dual, result.sums, result.sites)
-      : 0;
+    const Index moved = mayRepair ? mend(task, rounds, result) : 0;
     if (moved == 0)
     {
       return Status::success();
     }
     result.movedSites += moved;
-    if (Status status = settle(surface, options.seed, control.silent(), result); !status.ok())
+    if (rounds.adjustments > settledAdjustments)
+    {
+      roundToCaller(task.surface, result.sites); // nothing is to change but what was touched
+      continue;
+    }
+    if (Status status = settle(task.surface, options.seed, control.silent(), result); !status.ok())
     {
       return status;
     }
     result.seconds.repair += watch.lap();
   }
 }
+
+/** What each vertex may do when it is placed anew. */
+std::vector<VertexKind> findVertexKinds(const RemeshResult& result)
+{
+  std::vector<VertexKind> kinds(
+    static_cast<std::size_t>(result.components.count()), VertexKind::Free);
+  for (std::size_t p = 0; p < result.seams.components.size(); ++p)
+  {
+    if (result.seams.components[p] != noIndex)
+    {
+      kinds[result.seams.components[p]] =
+        result.featureSites.points[p].isCorner ? VertexKind::Corner : VertexKind::OnCurve;
+    }
+  }
+  return kinds;
+}
+
+/** Vertices on features stay where they are. */
+Status place(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  Stopwatch watch;
+  std::vector<char> fixed;
+  for (const VertexKind kind : result.vertexKinds)
+  {
+    fixed.push_back(kind != VertexKind::Free);
+  }
+  const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
+    result.components, result.dual.triangles, fixed };
+  Status status = placeVertices(problem, task.options.placement, control, result.locations,
+    result.dual.triangles, result.placement);
+  result.seconds.placement = watch.lap();
+  return status;
+}
 }
 
 Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
-  RunControl control, RemeshResult& result)
+  RunControl control, RemeshResult& result, const Features* features)
 {
   result = RemeshResult{};
+  const Task task{ mesh, surface, features, options };
   Stopwatch watch;
 
   control.enterPhase("Sampling", 0.0, 0.02);
-  if (Status status = makeSites(surface, options, result.sites); !status.ok())
+  if (Status status = makeSites(task, control, result); !status.ok())
   {
     return status;
   }
@@ -186,21 +319,28 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     roundToCaller(surface, result.sites);
     result.evaluations = voronoi.evaluations();
   }
-  control.enterPhase("Restricted Voronoi diagram", 0.85, 1.0);
-  if (Status status = finish(mesh, surface, options, control, result); !status.ok())
+  control.enterPhase("Restricted Voronoi diagram", 0.85, 0.94);
+  if (Status status = finish(task, control, result); !status.ok())
   {
     return status;
   }
+  result.vertexKinds = findVertexKinds(result);
+  result.wantedVertices =
+    options.exactNumber ? options.numberOfSites : result.numberOfVertexSites() - result.emptyCells;
   if (!options.optimize)
   {
     result.convergence.add(0.0, 0.0, 0.0);
-    result.emptyCells = result.sums.countEmpty();
   }
   if (result.movedSites == 0)
   {
     // The last row is that of the diagram given back, to the bit.
     result.convergence.rows.back().energy = result.sums.totalEnergy;
-    result.convergence.rows.back().gradientNorm = result.sums.gradientNorm;
+    result.convergence.rows.back().gradientNorm = freeGradientNorm(result.sites, result.sums);
+  }
+  control.enterPhase("Vertex placement", 0.94, 1.0);
+  if (Status status = place(task, control, result); !status.ok())
+  {
+    return status;
   }
   control.report(1.0);
   return Status::success();

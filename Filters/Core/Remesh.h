@@ -3,8 +3,13 @@
  * @brief The whole pipeline on one page.
  *
  * surface -> sites -> Lloyd -> quasi-Newton -> restricted Voronoi diagram -> components -> dual
+ * -> vertices placed
  *
- * Where the dual is no manifold in a few places, sites are moved there, and the end is run again.
+ * With features, the sites on them come first and stay (Features/), the others are drawn patch by
+ * patch, and the patches' duals are sewn together along the curves (Delaunay/Collar.h).
+ *
+ * Where the dual is no manifold in a few places, sites are moved there; where a cell reaches a
+ * feature curve, its site joins the curve; and the end is run again.
  */
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h
@@ -13,9 +18,11 @@
 #include "Delaunay/Dual.h"
 #include "Delaunay/SurfaceLocation.h"
 #include "Embedding/EmbeddedSurface.h"
+#include "Features/FeatureSites.h"
 #include "Optimization/Convergence.h"
 #include "Optimization/QuasiNewton.h"
 #include "Optimization/Sampling.h"
+#include "Placement/Placement.h"
 #include "Voronoi/CellSums.h"
 #include "Voronoi/Diagram.h"
 
@@ -30,8 +37,19 @@ struct RemeshOptions
   QuasiNewtonOptions quasiNewton;
   /** False: the given sites are final, whatever their cells. */
   bool optimize = true;
+  VertexPlacement placement = VertexPlacement::Fit;
   /** Sites to start from instead of sampling; n x d, scaled units of the surface. */
   Sites initialSites;
+  /** Whether to take away or add sites until the mesh has `numberOfSites` vertices. */
+  bool exactNumber = false;
+};
+
+/** What a vertex of the mesh may do when it is placed anew. */
+enum class VertexKind : std::uint8_t
+{
+  Free = 0,
+  OnCurve = 1, ///< of the feature graph
+  Corner = 2
 };
 
 /** Everything in the scaled units of the embedded surface, but what is in R^3. */
@@ -42,11 +60,18 @@ struct RemeshResult
   Diagram diagram;
   EdgeTable edges;
   Components components;
-  std::vector<SurfaceLocation> locations; ///< of the components
-  Dual dual;
-  std::vector<Index> numbersOfNeighbors; ///< n
+  Stations stations;                      ///< on the features' curves; none without features
+  FeatureSites featureSites;              ///< the first sites; none without features
+  Offset wantedVertices = 0;              ///< that there should be
+  Offset neededFeaturePoints = 0;         ///< that corners and bends of the features take at least
+  Seams seams;                            ///< edges of the mesh along features among it
+  std::vector<VertexKind> vertexKinds;    ///< of the components
+  std::vector<SurfaceLocation> locations; ///< of the placed vertices
+  Dual dual;                              ///< its triangles after placement
+  Placement placement;                    ///< of its vertices
+  std::vector<Index> numbersOfNeighbors;  ///< n
   Convergence convergence;
-  Index emptyCells = 0;
+  Index emptyCells = 0; ///< of sites that are not on features
   Index movedSites = 0; ///< to where the dual was no manifold; `convergence` ends before that
   int evaluations = 0;
 
@@ -57,12 +82,25 @@ struct RemeshResult
     double newton = 0.0;
     double repair = 0.0;
     double diagram = 0.0;
+    double placement = 0.0;
   } seconds; ///< wall time of the phases
+
+  /** Sites, the copies of one vertex counted once: as many vertices as there should be. */
+  Offset numberOfVertexSites() const
+  {
+    return static_cast<Offset>(this->sites.count()) - this->featureSites.sites.count() +
+      this->featureSites.numberOfPoints();
+  }
 };
 
-/** Runs the pipeline on an embedded surface. Deterministic in surface and options. */
+/**
+ * Runs the pipeline on an embedded surface. Deterministic in surface and options.
+ *
+ * @param features along which `mesh` was cut open, or nullptr. If there are several patches, they
+ *        must be separated in `surface`.
+ */
 Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
-  RunControl control, RemeshResult& result);
+  RunControl control, RemeshResult& result, const Features* features = nullptr);
 }
 
 #endif

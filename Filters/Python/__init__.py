@@ -8,6 +8,7 @@ from .vtkFiltersAnisotropicRemeshing import (
     vtkGaussMapEmbedding,
     vtkRestrictedVoronoiAlgorithm,
     vtkRestrictedVoronoiDiagram,
+    vtkSurfaceMeshComparison,
 )
 
 __all__ = [
@@ -16,4 +17,5 @@ __all__ = [
     "vtkGaussMapEmbedding",
     "vtkRestrictedVoronoiAlgorithm",
     "vtkRestrictedVoronoiDiagram",
+    "vtkSurfaceMeshComparison",
 ]

@@ -53,11 +53,15 @@ TriangleSoup bowTie()
 }
 
 /** Joined pieces by definition: same site, and two consecutive points or a corner in common. */
-std::vector<Index> flood(const SurfaceMesh& mesh, const test::Computed& result)
+std::vector<Index> flood(
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const test::Computed& result)
 {
   const Diagram& diagram = result.diagram;
-  const DiagramPoints points =
-    numberDiagramPoints(mesh, buildEdgeTable(mesh.facetPoints), diagram);
+  DiagramPoints points;
+  CHECK(
+    numberDiagramPoints(mesh, buildEdgeTable(mesh.facetPoints), { surface, result.sites, diagram },
+      RunControl(), points)
+      .ok());
   std::map<std::array<Offset, 3>, std::vector<Offset>> shared; // site and two points
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
   {
@@ -157,7 +161,7 @@ test::DualOf checkCase(
   {
     checkSums(mesh, result, made.components);
   }
-  const std::vector<Index> lowest = flood(mesh, result);
+  const std::vector<Index> lowest = flood(mesh, surface, result);
   std::map<Index, Index> componentOf;
   Index different = 0;
   for (std::size_t p = 0; p < lowest.size(); ++p)

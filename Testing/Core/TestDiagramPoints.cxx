@@ -11,7 +11,7 @@ namespace
 {
 /** Vertices with one point lie at one place; points with one place in one facet are one. */
 void checkPlaces(
-  const EmbeddedSurface& surface, const Diagram& diagram, const DiagramPoints& points)
+  const EmbeddedSurface& surface, const test::PlacedDiagram& diagram, const DiagramPoints& points)
 {
   double largest = 0.0;
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
@@ -56,8 +56,11 @@ Offset eulerCharacteristic(const Diagram& diagram, const DiagramPoints& points)
 void checkCase(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites)
 {
   const test::Computed result = test::computed(surface, sites);
-  const DiagramPoints points =
-    numberDiagramPoints(mesh, buildEdgeTable(mesh.facetPoints), result.diagram);
+  DiagramPoints points;
+  CHECK(numberDiagramPoints(
+    mesh, buildEdgeTable(mesh.facetPoints), { surface, sites, result.diagram }, RunControl(),
+    points)
+          .ok());
   checkPlaces(surface, result.diagram, points);
   CHECK_EQUAL(
     eulerCharacteristic(result.diagram, points), Offset(test::eulerCharacteristic(mesh)));

@@ -13,7 +13,8 @@ namespace remesh::test
 struct Computed
 {
   CellSums sums;
-  Diagram diagram;
+  PlacedDiagram diagram;
+  Sites sites;
   std::vector<Index> owners;
 };
 
@@ -34,6 +35,8 @@ inline Computed computed(const EmbeddedSurface& surface, const Sites& sites)
   RestrictedVoronoi voronoi(surface);
   CHECK(voronoi.decompose(sites, RunControl(), result.sums, result.diagram).ok());
   result.owners = voronoi.owners();
+  result.sites = sites;
+  result.diagram.place(surface, sites);
   CellSums sums;
   CHECK(voronoi.integrate(sites, RunControl(), sums).ok());
   CHECK_NEAR(largestDifference(sums.mass, result.sums.mass), 0.0, 1e-14 * surface.mass);
@@ -109,7 +112,7 @@ inline double vertexCondition(const EmbeddedSurface& surface, const Sites& sites
  * moves the vertex by.
  */
 inline void checkVertices(
-  const EmbeddedSurface& surface, const Sites& sites, const Diagram& diagram, double rounding)
+  const EmbeddedSurface& surface, const Sites& sites, const PlacedDiagram& diagram, double rounding)
 {
   double worst = 0.0;
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
@@ -159,7 +162,7 @@ inline bool isInside(const std::vector<DiagramVertex>& loop, const Barycentric& 
 
 /** At random points of each facet the piece's site is the nearest of all. */
 inline void checkRandomPoints(const EmbeddedSurface& surface, const Sites& sites,
-  const Diagram& diagram, int pointsPerFacet, double tolerance)
+  const PlacedDiagram& diagram, int pointsPerFacet, double tolerance)
 {
   double excess = 0.0;
   int uncovered = 0;

@@ -22,12 +22,13 @@ Sites relaxed(const EmbeddedSurface& surface, Offset n)
 }
 
 /** The sites whose cells share a segment, by the diagram's own edges. */
-void checkNeighbors(const Diagram& diagram, Index numberOfSites)
+void checkNeighbors(
+  const test::PlacedDiagram& diagram, const Components& components, Index numberOfSites)
 {
   std::vector<std::set<Index>> neighbors(static_cast<std::size_t>(numberOfSites));
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
   {
-    for (const DiagramVertex& vertex : test::loopOf(diagram, p))
+    for (const test::DiagramVertex& vertex : test::loopOf(diagram, p))
     {
       if (vertex.across >= 0)
       {
@@ -35,7 +36,8 @@ void checkNeighbors(const Diagram& diagram, Index numberOfSites)
       }
     }
   }
-  const std::vector<Index> counts = countNeighbors(diagram, numberOfSites);
+  std::vector<Index> counts;
+  CHECK(countNeighbors(diagram, components, numberOfSites, RunControl(), counts).ok());
   CHECK_EQUAL(Index(counts.size()), numberOfSites);
   for (std::size_t site = 0; site < counts.size(); ++site)
   {
@@ -49,11 +51,11 @@ test::DualOf checkedDual(
 {
   const test::Computed result = test::computed(surface, sites);
   const test::DualOf made = test::dualOf(mesh, surface, result);
-  checkNeighbors(result.diagram, sites.count());
+  checkNeighbors(result.diagram, made.components, sites.count());
   Offset meetings = 0;
   for (Offset p = 0; p < result.diagram.numberOfPieces(); ++p)
   {
-    const std::vector<DiagramVertex> loop = test::loopOf(result.diagram, p);
+    const std::vector<test::DiagramVertex> loop = test::loopOf(result.diagram, p);
     for (std::size_t v = 0; v + 1 < loop.size(); ++v)
     {
       meetings += loop[v].across >= 0 && loop[v == 0 ? loop.size() - 2 : v - 1].across >= 0;

@@ -26,10 +26,10 @@ inline DualOf dualOf(
 {
   DualOf made;
   made.edges = buildEdgeTable(mesh.facetPoints);
-  CHECK(findComponents(mesh, surface, made.edges, result.diagram, result.owners, RunControl(),
-    made.components)
+  CHECK(findComponents(mesh, surface, result.sites, made.edges, result.diagram, result.owners,
+    RunControl(), made.components)
           .ok());
-  made.dual = buildDual(result.diagram, made.components);
+  CHECK(buildDual(result.diagram, made.components, RunControl(), made.dual).ok());
   return made;
 }
 

@@ -46,6 +46,18 @@ void testSums()
   CHECK_EQUAL(product.sign(), 0);
 }
 
+void testEstimate()
+{
+  CHECK_EQUAL(Expansion().estimate(), 0.0);
+  Expansion sum;
+  sum.add(1e300);
+  sum.addProduct(3.0, 0.25);
+  sum.add(-1e300);
+  CHECK_EQUAL(sum.estimate(), 0.75);
+  sum.add(0x1p-60);
+  CHECK_NEAR(sum.estimate(), 0.75, 0x1p-52);
+}
+
 /** All powers of two there and back, in both orders: many terms that do not overlap. */
 void testManyTerms()
 {
@@ -105,6 +117,7 @@ void testTripleProducts(double largest, double scale)
 int TestExpansion(int, char*[])
 {
   testSums();
+  testEstimate();
   testManyTerms();
   testTripleProducts(10.0, 1.0);
   testTripleProducts(0x1p39, 1.0);

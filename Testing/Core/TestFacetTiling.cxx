@@ -4,6 +4,7 @@
 #include "TestChecks.h"
 #include "Voronoi/FacetTiling.h"
 #include "Voronoi/PieceIntegral.h"
+#include "Voronoi/VertexPlaces.h"
 
 #include <algorithm>
 #include <map>
@@ -144,8 +145,7 @@ int eulerCharacteristic(const Tiling& tiling)
   CHECK_EQUAL(onFacetCorners, 3);
   CHECK_EQUAL(onEdges % 2, 0);
   CHECK_EQUAL(inside % 3, 0);
-  return static_cast<int>(tiling.size()) - edges / 2 - borderEdges + 3 + onEdges / 2 +
-    inside / 3;
+  return static_cast<int>(tiling.size()) - edges / 2 - borderEdges + 3 + onEdges / 2 + inside / 3;
 }
 
 /** Random H values, from none in common to all on a grid of 2 x 2 x 2. */
@@ -181,9 +181,7 @@ void testEnvelope()
       for (const Corner& corner : piece)
       {
         const auto valueOf = [&](const FacetSite& site)
-        {
-          return corner.b[0] * site.h[0] + corner.b[1] * site.h[1] + corner.b[2] * site.h[2];
-        };
+        { return corner.b[0] * site.h[0] + corner.b[1] * site.h[1] + corner.b[2] * site.h[2]; };
         for (const FacetSite& other : sites)
         {
           CHECK(valueOf(sites[id]) <= valueOf(other) + 1e-9);
@@ -227,6 +225,39 @@ void testEdgeFromBothSides()
   }
 }
 
+/** Two sites that differ in the last bits of H: where they meet a third one is no matter of luck.
+ */
+void testPlaceOfNearTwins()
+{
+  const double unit = 0x1p-56;
+  const FacetSite other{ 1, { 0.716, 0.16, 0.124 } };
+  const FacetSite twin{ 39, { 0.8, 0.25, 0.0625 } };
+  for (const double sign : { 1.0, -1.0 })
+  {
+    // Differences by whole last places, so that nothing is rounded.
+    const double u[3] = { 0.0, 4.0 * sign, -2.0 * sign };
+    const FacetSite near{ 58, { twin.h[0], twin.h[1] + u[1] * unit, twin.h[2] + u[2] * unit } };
+    double v[3], expected[3];
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      v[k] = other.h[k] - twin.h[k];
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      expected[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+      sum += expected[k];
+    }
+    double b[3];
+    placeInside(twin, near, other, b);
+    for (int k = 0; k < 3; ++k)
+    {
+      CHECK(expected[k] / sum >= 0.0);
+      CHECK_NEAR(b[k], expected[k] / sum, 1e-14);
+    }
+  }
+}
+
 /** Distances from H values against distances of points. */
 void testSquaredDistance()
 {
@@ -262,6 +293,7 @@ int TestFacetTiling(int, char*[])
   }
   testEnvelope();
   testEdgeFromBothSides();
+  testPlaceOfNearTwins();
   testSquaredDistance();
   return test::result();
 }

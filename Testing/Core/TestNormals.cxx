@@ -39,7 +39,7 @@ void testFacetNormals()
 /** On the plane all passes change nothing. On the cube the angle weights give the diagonals. */
 void testExactCases()
 {
-  for (const int passes : { -1, 0, 1, 20 })
+  for (const int passes : { 0, 1, 20 })
   {
     for (const Point3& normal :
       estimateCornerNormals(test::meshOf(test::gridPatch(5, 9, { 1e5, 0, 0 })), passes))
@@ -104,7 +104,6 @@ void testSmoothing()
     }
     CHECK(largestDifference(estimateCornerNormals(bumpy, passes), expected) < 1e-14);
   }
-  CHECK(estimateCornerNormals(bumpy, -1) == estimateCornerNormals(bumpy, automaticSmoothingPasses));
 }
 
 /** Equal bytes for any order of the blocks, and cancelling ends the passes. */

@@ -50,8 +50,16 @@ void checkOwners(const EmbeddedSurface& surface, const Sites& sites)
     { std::vector<Index>(), expected, std::vector<Index>(expected.size(), 0),
       std::vector<Index>(expected.size(), sites.count() - 1), arbitrary })
   {
-    CHECK(findOwners(surface, sites, lists, RunControl(), owners).ok());
+    std::vector<double> squared;
+    CHECK(findOwners(surface, sites, lists, RunControl(), owners, squared).ok());
     CHECK(owners == expected);
+    CHECK_EQUAL(squared.size(), owners.size());
+    for (Index corner = 0; corner < surface.numberOfCorners(); ++corner)
+    {
+      CHECK_EQUAL(squared[corner],
+        squaredDistance<Eigen::Dynamic>(
+          sites.site(owners[corner]), surface.corner(corner), sites.dimension));
+    }
   }
 }
 

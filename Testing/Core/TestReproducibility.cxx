@@ -2,9 +2,11 @@
 
 #include "Remesh.h"
 #include "TestEmbeddings.h"
+#include "Voronoi/DiagramPoints.h"
 
 #include "vtkSMPTools.h"
 
+#include <numeric>
 #include <string>
 
 using namespace remesh;
@@ -55,12 +57,6 @@ public:
     this->add(integral.energy);
   }
 
-  void add(const DiagramVertex& vertex)
-  {
-    this->add(vertex.b);
-    this->add(vertex.across);
-  }
-
   void add(const SurfaceLocation& location)
   {
     this->add(location.facet);
@@ -97,16 +93,26 @@ private:
   std::string m_bytes;
 };
 
-std::string bytesOf(const RemeshResult& result)
+std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshResult& result, const RunControl& control)
 {
   Bytes bytes;
+  DiagramPoints points;
+  CHECK(numberDiagramPoints(mesh, result.edges, { surface, result.sites, result.diagram },
+    control, points)
+          .ok());
+  bytes.add(points.ofVertex);
+  for (const DiagramPoint& point : points.points)
+  {
+    bytes.addAll(point.facet, point.b);
+  }
   bytes.addAll(result.sites.coordinates, result.emptyCells, result.evaluations);
   const CellSums& sums = result.sums;
   bytes.addAll(
     sums.mass, sums.area, sums.energy, sums.moment, sums.totalEnergy, sums.gradientNorm);
   const Diagram& diagram = result.diagram;
   bytes.addAll(diagram.facetBegin, diagram.sites, diagram.facets, diagram.integrals,
-    diagram.vertexBegin, diagram.vertices);
+    diagram.vertexBegin, diagram.across);
   const Components& components = result.components;
   bytes.addAll(components.ofPiece, components.sites, components.ranks, components.pieceBegin,
     components.pieces, components.mass, components.area, components.energy, components.centroids);
@@ -124,7 +130,7 @@ std::string run(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   RemeshResult result;
   CHECK(remesh::remesh(mesh, surface, options, control, result).ok());
   CHECK_EQUAL(result.sites.count(), Index(options.numberOfSites));
-  return bytesOf(result);
+  return bytesOf(mesh, surface, result, control);
 }
 
 /** The product with each back-end that this VTK has, and the two schedules that disturb it. */
@@ -147,6 +153,44 @@ void checkCase(
   RemeshOptions other = options;
   other.seed = options.seed + 1;
   CHECK(run(mesh, surface, other, Schedule::Smp) != expected);
+}
+
+/** The intake, with facets to merge, to drop and to turn. */
+void testIntake()
+{
+  TriangleSoup soup = test::torus(1.0, 0.4, 120, 80);
+  const std::size_t count = soup.triangles.size();
+  for (std::size_t t = 0; t < count; t += 7)
+  {
+    const auto [a, b, c] = soup.triangles[t];
+    soup.points.push_back(soup.points[a]);
+    soup.triangles[t] = { static_cast<Offset>(soup.points.size()) - 1, c, b };
+    soup.triangles.push_back({ b, a, c });
+    soup.triangles.push_back({ b, a, b });
+  }
+  soup.inputCells.resize(soup.triangles.size());
+  std::iota(soup.inputCells.begin(), soup.inputCells.end(), Offset(0));
+  std::string expected;
+  for (const Schedule schedule :
+    { Schedule::Smp, Schedule::ShuffledBlocks, Schedule::EightThreads })
+  {
+    RunControl control;
+    control.schedule = schedule;
+    SurfaceMesh mesh;
+    IntakeReport report;
+    CHECK(buildSurfaceMesh(soup, IntakeOptions(), control, mesh, report).ok());
+    CHECK_EQUAL(report.mergedPoints, report.droppedDuplicate);
+    CHECK_EQUAL(report.mergedPoints, report.droppedDegenerate);
+    CHECK_EQUAL(report.mergedPoints, report.flippedFacets);
+    CHECK_EQUAL(report.components, 1);
+    const EdgeTable edges = buildEdgeTable(mesh.facetPoints, control);
+    Bytes bytes;
+    bytes.addAll(mesh.points, mesh.facetPoints, mesh.facetCorners, mesh.cornerPoints,
+      mesh.facetInputCells, mesh.facetInputPoints, edges.facetEdges, edges.edgeFacetsBegin,
+      edges.edgeFacets);
+    expected = expected.empty() ? bytes.string() : expected;
+    CHECK(bytes.string() == expected);
+  }
 }
 
 /** The embedding itself runs in blocks, too. */
@@ -176,6 +220,7 @@ int TestReproducibility(int, char*[])
 {
   const SurfaceMesh fine = test::meshOf(test::torus(1.0, 0.4, 30, 18));
   const SurfaceMesh coarse = test::meshOf(test::cube());
+  testIntake();
   testEmbedding(fine);
   for (const int d : { 3, 6 })
   {

@@ -6,13 +6,40 @@
 #define remesh_TestTilings_h
 
 #include "TestEmbeddings.h"
-#include "Voronoi/Diagram.h"
+#include "Voronoi/VertexPlaces.h"
 
 #include <cstring>
 #include <tuple>
 
 namespace remesh::test
 {
+/** A vertex of a piece with its place, and the edge that starts there. */
+struct DiagramVertex
+{
+  double b[3];
+  Index across;
+};
+
+/** A diagram whose vertices know where they lie. */
+struct PlacedDiagram : Diagram
+{
+  std::vector<DiagramVertex> vertices;
+
+  void place(const EmbeddedSurface& surface, const Sites& sites)
+  {
+    const VertexPlaces places{ surface, sites, *this };
+    this->vertices.resize(this->across.size());
+    for (Offset p = 0; p < this->numberOfPieces(); ++p)
+    {
+      for (Offset v = this->vertexBegin[p]; v < this->vertexBegin[p + 1]; ++v)
+      {
+        const std::array<double, 3> b = places.at(p, v);
+        this->vertices[v] = { { b[0], b[1], b[2] }, this->across[v] };
+      }
+    }
+  }
+};
+
 /** Twice the signed share of the triangle in its facet. */
 inline double turn(const double* a, const double* b, const double* c)
 {
@@ -25,7 +52,7 @@ inline bool sameBits(const DiagramVertex& a, const DiagramVertex& b)
 }
 
 /** The vertices of a piece in order, with the first once more at the end. */
-inline std::vector<DiagramVertex> loopOf(const Diagram& diagram, Offset piece)
+inline std::vector<DiagramVertex> loopOf(const PlacedDiagram& diagram, Offset piece)
 {
   std::vector<DiagramVertex> loop(diagram.vertices.begin() + diagram.vertexBegin[piece],
     diagram.vertices.begin() + diagram.vertexBegin[piece + 1]);
@@ -34,7 +61,7 @@ inline std::vector<DiagramVertex> loopOf(const Diagram& diagram, Offset piece)
 }
 
 /** A piece by itself: inside the facet, convex, counter-clockwise, with the right integrals. */
-inline void checkPiece(const Diagram& diagram, Offset piece)
+inline void checkPiece(const PlacedDiagram& diagram, Offset piece)
 {
   const std::vector<DiagramVertex> loop = loopOf(diagram, piece);
   const PieceIntegral& integral = diagram.integrals[piece];
@@ -67,7 +94,7 @@ inline void checkPiece(const Diagram& diagram, Offset piece)
 }
 
 /** Whether the piece of the site across an edge has the same edge, turned round. */
-inline bool edgeIsShared(const Diagram& diagram, Offset piece, const DiagramVertex& start,
+inline bool edgeIsShared(const PlacedDiagram& diagram, Offset piece, const DiagramVertex& start,
   const DiagramVertex& end)
 {
   const Offset other = diagram.pieceOf(diagram.facets[piece], start.across);
@@ -93,7 +120,7 @@ using EdgePart = std::tuple<double, double, Index>;
  * They are followed from cell to cell: where cells tie, parts may be shorter than rounding.
  */
 inline std::vector<EdgePart> edgeParts(
-  const EmbeddedSurface& surface, const Diagram& diagram, Index facet, int k)
+  const EmbeddedSurface& surface, const PlacedDiagram& diagram, Index facet, int k)
 {
   struct Part
   {
@@ -135,7 +162,7 @@ inline std::vector<EdgePart> edgeParts(
 }
 
 /** Pieces tile each facet, and agree bitwise along common edges in facets and between them. */
-inline void checkTiling(const EmbeddedSurface& surface, const Diagram& diagram)
+inline void checkTiling(const EmbeddedSurface& surface, const PlacedDiagram& diagram)
 {
   std::map<std::pair<Index, Index>, std::vector<EdgePart>> sharedParts;
   int unshared = 0;

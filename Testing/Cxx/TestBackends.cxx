@@ -3,9 +3,16 @@
 
 #include "TestBytes.h"
 
+#include "Adaptors/ExecutionScope.h"
+#include "Support/Parallel.h"
 #include "vtkAnisotropicRemesher.h"
 
 #include "vtkSMPTools.h"
+
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <thread>
 
 using namespace remesh;
 using namespace remesh::test;
@@ -35,6 +42,41 @@ const std::vector<Backend> backends = { { vtkAnisotropicRemesher::SMP_SEQUENTIAL
 bool setGlobalBackend(const char* name)
 {
   return vtkSMPTools::SetBackend(name) && std::string(vtkSMPTools::GetBackend()) == name;
+}
+
+/** How many threads run blocks that are long enough for all to get some. */
+std::size_t countThreads(const std::string& backend, int limit)
+{
+  std::mutex lock;
+  std::set<std::thread::id> threads;
+  Execution execution{ backend, limit };
+  runInScope(execution,
+    [&]()
+    {
+      CHECK(forEachBlock(64, RunControl(),
+        [&](Offset)
+        {
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          const std::lock_guard<std::mutex> guard(lock);
+          threads.insert(std::this_thread::get_id());
+        }));
+    });
+  return threads.size();
+}
+
+/** A limit holds again and again. */
+void testLimit()
+{
+  const std::string before = vtkSMPTools::GetBackend();
+  for (const Backend& backend : backends)
+  {
+    const bool available = setGlobalBackend(backend.name);
+    vtkSMPTools::SetBackend(before.c_str());
+    for (int run = 0; available && run < 3; ++run)
+    {
+      CHECK_EQUAL(countThreads(backend.name, 1), std::size_t(1));
+    }
+  }
 }
 
 void testSameBytes(vtkPolyData* input)
@@ -141,6 +183,7 @@ int TestBackends(int, char*[])
   testSameBytes(input);
   testAutomatic(input);
   testRestored(input);
+  testLimit();
   vtkSMPTools::SetBackend(before.c_str());
   return result();
 }

@@ -146,6 +146,26 @@ void testReplacement()
   CHECK_EQUAL(embeddingOf(embed(filter, input))->GetNumberOfComponents(), 7);
 }
 
+/** The fewer points, the smoother the estimated normals; given ones stay, and so do passes. */
+void testNumberOfPoints()
+{
+  const auto spreadOf = [](vtkIdType points, int passes, bool given)
+  {
+    const auto input = given ? sphereWithNormals("N") : polyDataOf(ellipsoid(3));
+    if (given)
+    {
+      input->GetPointData()->SetActiveNormals("N");
+    }
+    vtkNew<vtkGaussMapEmbedding> filter;
+    filter->SetNumberOfPoints(points);
+    filter->SetNormalSmoothingPasses(passes);
+    return contentOf(embed(filter, input));
+  };
+  CHECK(spreadOf(50, -1, false) != spreadOf(5000, -1, false));
+  checkSame(spreadOf(50, 2, false), spreadOf(5000, 2, false), "passes");
+  checkSame(spreadOf(50, -1, true), spreadOf(5000, -1, true), "given normals");
+}
+
 /** Points that no polygon uses, and coincident ones. */
 void testOddPoints()
 {
@@ -177,6 +197,7 @@ void testRoundTrip(vtkPolyData* input, double anisotropy, const char* where)
   vtkNew<vtkGaussMapEmbedding> embedding;
   embedding->SetInputData(input);
   embedding->SetAnisotropy(anisotropy);
+  embedding->SetNumberOfPoints(200);
   vtkNew<vtkAnisotropicRemesher> direct;
   direct->SetInputData(input);
   direct->SetAnisotropy(anisotropy);
@@ -201,6 +222,7 @@ int TestGaussMapEmbedding(int, char*[])
   testModes();
   testCoordinateArrays();
   testReplacement();
+  testNumberOfPoints();
   testOddPoints();
   testRoundTrip(polyDataOf(ellipsoid(3)), 0.05, "estimated normals");
   const auto sphere = sphereWithNormals("N");

@@ -34,7 +34,7 @@ const std::vector<const char*> ofSurfaces = { "EmbeddingMode", "Anisotropy",
   "NormalSmoothingPasses", "MergeTolerance", "CoordinateArrays", "NumberOfThreads", "SMPBackend",
   "NumberOfInputComponents", "NumberOfDroppedTriangles", "NumberOfMergedPoints", "UsedBackend",
   "NumberOfUsedThreads" };
-const std::vector<const char*> ofDiagrams = { "GenerateVoronoiCells", "GenerateEdges",
+const std::vector<const char*> ofDiagrams = { "VertexPlacement", "GenerateVoronoiCells", "GenerateEdges",
   "MaximumCellEmbeddingDimension", "Dimension", "NumberOfIterations", "NumberOfEvaluations",
   "Energy" };
 const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod", "Seed",
@@ -130,6 +130,8 @@ void testDiagramProperties(vtkRestrictedVoronoiAlgorithm* filter)
   CHECK_EQUAL(filter->GetEnergy(), 0.0);
   CHECK_EQUAL(filter->GetPhaseSeconds("lloyd"), 0.0);
   checkPrints(filter, ofDiagrams);
+  CHECK_EQUAL(filter->GetVertexPlacement(), static_cast<int>(vtkAnisotropicRemesher::FIT));
+  CHECK_CLAMPED(filter, VertexPlacement, 0, 3);
   CHECK_CLAMPED(filter, MaximumCellEmbeddingDimension, 0, 100000);
   filter->GenerateVoronoiCellsOff();
   filter->GenerateEdgesOff();
@@ -197,6 +199,9 @@ int TestProperties(int, char*[])
   testDiagramProperties(diagram);
   vtkNew<vtkGaussMapEmbedding> embedding;
   testSurfaceProperties(embedding);
+  checkPrints(embedding, { "NumberOfPoints" });
+  CHECK_EQUAL(embedding->GetNumberOfPoints(), 10000);
+  CHECK_CLAMPED(embedding, NumberOfPoints, vtkIdType(1), vtkIdType(VTK_ID_MAX));
   CHECK_EQUAL(embedding->GetNumberOfInputPorts(), 1);
   CHECK_EQUAL(embedding->GetNumberOfOutputPorts(), 1);
   testModification();

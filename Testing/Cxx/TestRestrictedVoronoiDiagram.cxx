@@ -79,6 +79,8 @@ void testCubeFaces()
     { 0.5, 0.5, 0 }, { 1, 0.5, 0.5 }, { 0.5, 0, 0.5 } };
   const auto sites = pointsOnly(places);
   const auto filter = run(surface, sites);
+  filter->SetVertexPlacement(vtkRestrictedVoronoiDiagram::CENTROID);
+  filter->Update();
   checkCommon(filter, surface, sites);
   CHECK_EQUAL(filter->GetDimension(), 3);
   for (vtkIdType i = 0; i < 6; ++i)

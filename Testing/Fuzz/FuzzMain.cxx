@@ -90,5 +90,9 @@ int main(int argc, char* argv[])
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
   }
   std::printf("%lu inputs from seed %lu\n", done, seed);
+  if (fuzz::cases() > 0)
+  {
+    std::printf("%lu cases\n", fuzz::cases());
+  }
   return EXIT_SUCCESS;
 }

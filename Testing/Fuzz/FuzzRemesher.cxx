@@ -11,6 +11,7 @@
 #include "vtkTable.h"
 
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace
@@ -85,7 +86,14 @@ void checkOutputs(vtkAnisotropicRemesher* filter, vtkIdType sites)
   {
     checkPolyData(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port)));
   }
-  FUZZ_CHECK(filter->GetSitesOutput()->GetNumberOfPoints() == sites);
+  vtkDataArray* merged = filter->GetSitesOutput()->GetPointData()->GetArray("MergedSiteId");
+  std::set<double> vertices;
+  for (vtkIdType i = 0; i < merged->GetNumberOfTuples(); ++i)
+  {
+    vertices.insert(merged->GetComponent(i, 0));
+    FUZZ_CHECK(merged->GetComponent(i, 0) <= static_cast<double>(i));
+  }
+  FUZZ_CHECK(filter->GetPreserveFeatures() || static_cast<vtkIdType>(vertices.size()) == sites);
   for (const char* name : { "CellArea", "CellMass", "CellEnergy" })
   {
     const double total = sumOf(filter->GetSitesOutput()->GetPointData(), name);
@@ -123,6 +131,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   filter->SetNumberOfLloydIterations(bytes.below(4));
   filter->SetNumberOfNewtonIterations(bytes.below(4));
   filter->SetSamplingMethod(bytes.below(2));
+  filter->SetPreserveFeatures(bytes.below(4) > 0);
+  filter->SetFeatureAngle(bytes.below(2) > 0 ? 35.0 : 90.0);
   filter->SetSeed(bytes.below(256));
   filter->SetMergeTolerance(bytes.below(4) == 0 ? 0.05 : 0.0);
   filter->SetInputData(fuzz::polyData(bytes, 24, 32, bytes.below(8) == 0));

@@ -8,6 +8,8 @@
 #ifndef FuzzSupport_h
 #define FuzzSupport_h
 
+#include "Support/Random.h"
+
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -55,6 +57,35 @@ private:
   const std::uint8_t* m_next;
   const std::uint8_t* m_end;
 };
+
+/** Choices straight from the input; numbers of 53 bits from it by way of a generator. */
+class Numbers
+{
+public:
+  explicit Numbers(Bytes& bytes)
+    : m_bytes(bytes)
+  {
+  }
+
+  /** 0 <= result < bound <= 256. */
+  int below(int bound) { return m_bytes.below(bound); }
+  double fraction()
+  {
+    m_state = remesh::mixBits(m_state ^ m_bytes.byte());
+    return static_cast<double>(m_state >> 11) * 0x1p-53;
+  }
+
+private:
+  Bytes& m_bytes;
+  std::uint64_t m_state = 0;
+};
+
+/** Cases tried so far, by drivers that make several of one input. */
+inline unsigned long& cases()
+{
+  static unsigned long count = 0;
+  return count;
+}
 
 /** Coordinates that hit each other, and lie on lines and planes; `wild`: any double at all. */
 inline double coordinate(Bytes& bytes, bool wild)

@@ -12,6 +12,8 @@ import shutil
 import struct
 import subprocess
 
+import numpy
+
 from CommandLineTesting import FORMATS, SMALL, CommandLineTest, content, main, read, sphere, write
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -45,7 +47,7 @@ class TestUsage(CommandLineTest):
                             ("--threads", "1025"), ("--normal-smoothing", "-2"),
                             ("--normal-smoothing", "10001"), ("--seed", "2147483648")):
             cases.append((f"{name} must be from", files + [name, value]))
-        for name in ("--backend", "--dimension", "--sampling"):
+        for name in ("--backend", "--dimension", "--sampling", "--placement"):
             cases.append((f"{name} must be one of", files + [name, "other"]))
         for value in ("Height", "=2", "Height=", "Height=x", "Height=inf"):
             cases.append(("--coordinates needs", files + ["--coordinates", value]))
@@ -180,7 +182,7 @@ class TestResults(CommandLineTest):
                          [{"name": "Height", "scale": 0.5}, {"name": "Six", "scale": 2}])
         seconds = report["seconds"]
         self.assertLessEqual({"read", "intake", "sampling", "lloyd", "newton", "repair", "diagram",
-                              "write", "total"}, set(seconds))
+                              "placement", "write", "total"}, set(seconds))
         parts = sum(value for key, value in seconds.items() if key != "total")
         self.assertLessEqual(parts, seconds["total"])
         self.assertGreater(min(report["processor_seconds"], report["peak_megabytes"]), 0)
@@ -200,6 +202,21 @@ class TestResults(CommandLineTest):
                                                      backend))
         self.assertFalse(first == outputs("other", "--seed", "1"))
         self.assertFalse(first == outputs("random", "--sampling", "random"))
+        self.assertTrue(first == outputs("fit", "--placement", "fit"))
+
+    def test_placement(self):
+        # On the sphere of radius 0.5 all placements tell themselves apart by the mean radius.
+        radii = {}
+        for placement in ("centroid", "surface", "quadric", "fit"):
+            self.succeed(self.input(), "out.vtp", "--points", "100", "--anisotropy", "0",
+                         "--placement", placement, "--report", "r.json")
+            points = vtk_to_numpy(read(self.path("out.vtp")).GetPoints().GetData())
+            radii[placement] = numpy.linalg.norm(points, axis=1).mean()
+            with open(self.path("r.json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["parameters"]["placement"], placement)
+        self.assertLess(radii["centroid"], radii["surface"])
+        self.assertLess(radii["surface"], radii["quadric"])
+        self.assertLess(radii["surface"], radii["fit"])
 
     def test_embedding_array(self):
         self.succeed(self.input(), "out.vtp", *SMALL, "--embedding-array", "Six",

@@ -1,114 +1,191 @@
 #include "Delaunay/Components.h"
 
 #include "Support/DisjointSets.h"
-#include "Support/Parallel.h"
+#include "Support/Grouping.h"
+#include "Voronoi/VertexPlaces.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace remesh
 {
 namespace
 {
-/** Joins the pieces of each cell that share a segment of a facet's edge. */
-void joinAcrossEdges(const EdgeTable& edges, const Diagram& diagram, DisjointSets& sets)
+/** Joins a piece to the others of its cell beyond the facet's edges, where they share a segment. */
+void joinAcrossEdges(
+  const EdgeTable& edges, const Diagram& diagram, Index piece, DisjointSets& sets)
 {
-  for (Offset piece = 0; piece < diagram.numberOfPieces(); ++piece)
+  const Index facet = diagram.facets[piece];
+  for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
   {
-    const Index facet = diagram.facets[piece];
-    for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+    const Index across = diagram.across[v];
+    if (across >= 0)
     {
-      const Index across = diagram.vertices[v].across;
-      if (across >= 0)
+      continue;
+    }
+    const Index edge = edges.facetEdges[facet][-1 - across];
+    const Index first = edges.edgeFacets[edges.edgeFacetsBegin[edge]];
+    if (first != facet)
+    {
+      if (const Offset other = diagram.pieceOf(first, diagram.sites[piece]); other >= 0)
       {
-        continue;
+        sets.unite(piece, static_cast<Index>(other));
       }
-      const Index edge = edges.facetEdges[facet][-1 - across];
-      const Index first = edges.edgeFacets[edges.edgeFacetsBegin[edge]];
-      if (first != facet)
+    }
+  }
+}
+
+/**
+ * Joins the pieces around each corner: all belong to the cell that owns it. Each is joined to the
+ * first that was met there, whichever that is.
+ */
+bool joinAroundCorners(const EmbeddedSurface& surface, const Diagram& diagram,
+  const std::vector<Index>& owners, const RunControl& control, DisjointSets& sets)
+{
+  std::vector<std::atomic<Index>> metPieces(owners.size());
+  return forEachItem(static_cast<Offset>(owners.size()), control,
+           [&](Offset corner) { metPieces[corner].store(noIndex, std::memory_order_relaxed); }) &&
+    forEachItem(surface.numberOfFacets(), control,
+      [&](Offset f)
       {
-        if (const Offset other = diagram.pieceOf(first, diagram.sites[piece]); other >= 0)
+        const auto facet = static_cast<Index>(f);
+        for (const Index corner : surface.facetCorners[facet])
         {
-          sets.unite(static_cast<Index>(piece), static_cast<Index>(other));
+          const auto piece = static_cast<Index>(diagram.pieceOf(facet, owners[corner]));
+          Index met = noIndex;
+          if (piece >= 0 && !metPieces[corner].compare_exchange_strong(met, piece))
+          {
+            sets.unite(met, piece);
+          }
         }
-      }
-    }
-  }
+      });
 }
 
-/** Joins the pieces around each corner: all belong to the cell that owns it. */
-void joinAroundCorners(const EmbeddedSurface& surface, const Diagram& diagram,
-  const std::vector<Index>& owners, DisjointSets& sets)
+/** Joins the pieces of all copies of a feature's site at its place. */
+void joinCopies(const Diagram& diagram, const FeatureSites& features, DisjointSets& sets)
 {
-  std::vector<Offset> firstPiece(owners.size(), -1);
-  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  for (std::size_t p = 0; p < features.points.size(); ++p)
   {
-    for (const Index corner : surface.facetCorners[facet])
+    Offset first = -1;
+    for (Offset s = features.seatBegin[p]; s < features.seatBegin[p + 1]; ++s)
     {
-      const Offset piece = diagram.pieceOf(facet, owners[corner]);
-      if (firstPiece[corner] < 0)
+      const Offset piece = diagram.pieceOf(features.seats[s].facet, features.seats[s].site);
+      if (first >= 0 && piece >= 0)
       {
-        firstPiece[corner] = piece;
+        sets.unite(static_cast<Index>(first), static_cast<Index>(piece));
       }
-      else if (piece >= 0)
-      {
-        sets.unite(static_cast<Index>(firstPiece[corner]), static_cast<Index>(piece));
-      }
+      first = first < 0 ? piece : first;
     }
   }
 }
 
-/** Numbers the sets by site and first piece, and lists the pieces of each. */
-void numberComponents(const Diagram& diagram, DisjointSets& sets, Components& components)
+/** Feature points stay where they are. */
+void placeFeaturePoints(
+  const Diagram& diagram, const FeatureSites& features, Components& components)
 {
-  const Offset count = diagram.numberOfPieces();
-  std::vector<Offset> roots;
-  for (Offset piece = 0; piece < count; ++piece)
+  for (std::size_t p = 0; p < features.points.size(); ++p)
   {
-    if (sets.find(static_cast<Index>(piece)) == piece)
+    for (Offset s = features.seatBegin[p]; s < features.seatBegin[p + 1]; ++s)
     {
-      roots.push_back(piece);
+      const Offset piece = diagram.pieceOf(features.seats[s].facet, features.seats[s].site);
+      if (piece >= 0)
+      {
+        components.centroids[components.ofPiece[piece]] = features.points[p].place;
+      }
     }
-  }
-  std::stable_sort(roots.begin(), roots.end(),
-    [&](Offset a, Offset b) { return diagram.sites[a] < diagram.sites[b]; });
-  components.ofPiece.resize(static_cast<std::size_t>(count));
-  for (std::size_t k = 0; k < roots.size(); ++k)
-  {
-    const Index site = diagram.sites[roots[k]];
-    const bool sameSite = k > 0 && components.sites.back() == site;
-    components.ranks.push_back(sameSite ? components.ranks.back() + 1 : 0);
-    components.sites.push_back(site);
-    components.ofPiece[roots[k]] = static_cast<Index>(k);
-  }
-  components.pieceBegin.assign(roots.size() + 1, 0);
-  for (Offset piece = 0; piece < count; ++piece)
-  {
-    components.ofPiece[piece] = components.ofPiece[sets.find(static_cast<Index>(piece))];
-    ++components.pieceBegin[static_cast<std::size_t>(components.ofPiece[piece]) + 1];
-  }
-  std::partial_sum(
-    components.pieceBegin.begin(), components.pieceBegin.end(), components.pieceBegin.begin());
-  std::vector<Offset> next(components.pieceBegin.begin(), components.pieceBegin.end() - 1);
-  components.pieces.resize(static_cast<std::size_t>(count));
-  for (Offset piece = 0; piece < count; ++piece)
-  {
-    components.pieces[next[components.ofPiece[piece]]++] = piece;
   }
 }
 
-void sumComponent(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Diagram& diagram,
-  Index component, Components& components)
+/** Numbers the sets by site and first piece: sites, ranks, and the component of each first piece.
+ */
+bool numberComponents(const Diagram& diagram, const FeatureSites* features,
+  const DisjointSets& sets, const RunControl& control, Components& components)
 {
+  const auto siteOf = [&](Offset piece)
+  { return features ? features->mergedSite(diagram.sites[piece]) : diagram.sites[piece]; };
+  std::vector<Index> roots;
+  Groups ofSites; // by site, into `roots`
+  const Index sites =
+    diagram.sites.empty() ? 0 : 1 + *std::max_element(diagram.sites.begin(), diagram.sites.end());
+  if (!packItems(
+        diagram.numberOfPieces(), control,
+        [&](Offset piece) { return sets.isLowest(static_cast<Index>(piece)); },
+        [&](Offset count) { roots.resize(static_cast<std::size_t>(count)); },
+        [&](Offset piece, Offset number) { roots[number] = static_cast<Index>(piece); }) ||
+    !groupByKey(
+      static_cast<Offset>(roots.size()), sites, control,
+      [&](Offset root) { return siteOf(roots[root]); }, ofSites))
+  {
+    return false;
+  }
+  components.ofPiece.resize(diagram.sites.size());
+  components.sites.resize(roots.size());
+  components.ranks.resize(roots.size());
+  return forEachItem(sites, control,
+    [&](Offset site)
+    {
+      for (Offset k = ofSites.begins[site]; k < ofSites.begins[site + 1]; ++k)
+      {
+        components.sites[k] = static_cast<Index>(site);
+        components.ranks[k] = static_cast<Index>(k - ofSites.begins[site]);
+        components.ofPiece[roots[ofSites.items[k]]] = static_cast<Index>(k);
+      }
+    });
+}
+
+/** Tells each piece its component, and lists the pieces of each. */
+bool listPieces(
+  const Diagram& diagram, DisjointSets& sets, const RunControl& control, Components& components)
+{
+  Groups pieces;
+  const bool done = forEachItem(diagram.numberOfPieces(), control,
+                      [&](Offset piece)
+                      {
+                        const Index root = sets.find(static_cast<Index>(piece));
+                        if (root != piece) // whose component is known
+                        {
+                          components.ofPiece[piece] = components.ofPiece[root];
+                        }
+                      }) &&
+    groupByKey(
+      diagram.numberOfPieces(), components.count(), control,
+      [&](Offset piece) { return components.ofPiece[piece]; }, pieces);
+  components.pieceBegin = std::move(pieces.begins);
+  components.pieces = std::move(pieces.items);
+  return done;
+}
+
+/** The mean of one vertex of each piece, for a component without mass. */
+Point3 middleOf(const SurfaceMesh& mesh, const VertexPlaces& places, Index component,
+  const Components& components)
+{
+  const Offset begin = components.pieceBegin[component];
+  const Offset end = components.pieceBegin[component + 1];
+  Point3 middle = Point3::Zero();
+  for (Offset p = begin; p < end; ++p)
+  {
+    const Index piece = components.pieces[p];
+    const Triple& points = mesh.facetPoints[places.diagram.facets[piece]];
+    const auto b = places.at(piece, places.diagram.vertexBegin[piece]);
+    for (int k = 0; k < 3; ++k)
+    {
+      middle += b[k] * mesh.points[points[k]];
+    }
+  }
+  return middle / static_cast<double>(end - begin);
+}
+
+void sumComponent(
+  const SurfaceMesh& mesh, const VertexPlaces& places, Index component, Components& components)
+{
+  const Diagram& diagram = places.diagram;
   double mass = 0.0, area = 0.0, energy = 0.0;
   Point3 moment = Point3::Zero();
-  Point3 middle = Point3::Zero(); // for components without mass
   for (Offset p = components.pieceBegin[component]; p < components.pieceBegin[component + 1]; ++p)
   {
     const Offset piece = components.pieces[p];
     const Index facet = diagram.facets[piece];
     const PieceIntegral& integral = diagram.integrals[piece];
-    const FacetConstants& constants = surface.constants[facet];
+    const FacetConstants& constants = places.surface.constants[facet];
     mass += integral.fraction * constants.mass;
     area += integral.fraction * constants.area;
     energy += integral.energy;
@@ -116,41 +193,56 @@ void sumComponent(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const
     {
       const Point3& point = mesh.points[mesh.facetPoints[facet][k]];
       moment += (integral.weights[k] * constants.mass) * point;
-      const double* b = diagram.vertices[diagram.vertexBegin[piece]].b;
-      middle += b[k] * point;
     }
   }
   components.mass[component] = mass;
   components.area[component] = area;
   components.energy[component] = energy;
-  const auto pieces =
-    static_cast<double>(components.pieceBegin[component + 1] - components.pieceBegin[component]);
-  components.centroids[component] = mass > 0.0 ? Point3(moment / mass) : Point3(middle / pieces);
+  components.centroids[component] =
+    mass > 0.0 ? Point3(moment / mass) : middleOf(mesh, places, component, components);
 }
 }
 
-Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites,
   const EdgeTable& edges, const Diagram& diagram, const std::vector<Index>& owners,
-  const RunControl& control, Components& components)
+  const RunControl& control, Components& components, const FeatureSites* features)
 {
   components = Components{};
+  const RunControl silent = control.silent();
   DisjointSets sets(diagram.sites.size());
-  joinAcrossEdges(edges, diagram, sets);
-  joinAroundCorners(surface, diagram, owners, sets);
-  numberComponents(diagram, sets, components);
+  if (!forEachItem(diagram.numberOfPieces(), silent,
+        [&](Offset piece) { joinAcrossEdges(edges, diagram, static_cast<Index>(piece), sets); }) ||
+    !joinAroundCorners(surface, diagram, owners, silent, sets))
+  {
+    return Status::cancelled();
+  }
+  if (features)
+  {
+    joinCopies(diagram, *features, sets);
+  }
+  if (!numberComponents(diagram, features, sets, silent, components) ||
+    !listPieces(diagram, sets, silent, components))
+  {
+    return Status::cancelled();
+  }
   const auto count = static_cast<std::size_t>(components.count());
   components.mass.resize(count);
   components.area.resize(count);
   components.energy.resize(count);
   components.centroids.resize(count);
+  const VertexPlaces places{ surface, sites, diagram };
   const bool done = forEachRange(Blocks::cut(components.count(), 256, 4096), control,
     [&](Offset begin, Offset end)
     {
       for (Offset k = begin; k < end; ++k)
       {
-        sumComponent(mesh, surface, diagram, static_cast<Index>(k), components);
+        sumComponent(mesh, places, static_cast<Index>(k), components);
       }
     });
+  if (features)
+  {
+    placeFeaturePoints(diagram, *features, components);
+  }
   return done ? Status::success() : Status::cancelled();
 }
 }

@@ -9,8 +9,7 @@
 #ifndef remesh_Components_h
 #define remesh_Components_h
 
-#include "Embedding/EmbeddedSurface.h"
-#include "Mesh/EdgeTable.h"
+#include "Features/FeatureSites.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/Diagram.h"
@@ -20,15 +19,15 @@ namespace remesh
 struct Components
 {
   std::vector<Index> ofPiece;     ///< P, component of each piece of the diagram
-  std::vector<Index> sites;       ///< K, ascending
+  std::vector<Index> sites;       ///< K, ascending; the first of several copies
   std::vector<Index> ranks;       ///< K, 0, 1, ... among the components of the same site
   std::vector<Offset> pieceBegin; ///< K + 1, into `pieces`
-  std::vector<Offset> pieces;     ///< pieces of each component, ascending
+  std::vector<Index> pieces;      ///< pieces of each component, ascending
 
   std::vector<double> mass;      ///< K, area in R^d, scaled units
   std::vector<double> area;      ///< K, area in R^3
   std::vector<double> energy;    ///< K, integral of |x - x_i|^2, scaled units
-  std::vector<Point3> centroids; ///< K, centroid by mass, in R^3
+  std::vector<Point3> centroids; ///< K, centroid by mass, in R^3; feature points: their place
 
   Index count() const { return static_cast<Index>(this->sites.size()); }
 };
@@ -36,12 +35,15 @@ struct Components
 /**
  * Pieces of a cell belong together where they share a segment of a facet's edge, or a corner.
  *
+ * Pieces at which the copies of a feature's site sit belong together, too.
+ *
  * @param owners C, the site that owns each corner.
- * Cost: O(P), O(P) memory. Components are ordered by site, then by their first piece.
+ * @param features the sites on features, or nullptr.
+ * Cost: O(P) in parallel, O(P) memory. Components are ordered by site, then by their first piece.
  */
-Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites,
   const EdgeTable& edges, const Diagram& diagram, const std::vector<Index>& owners,
-  const RunControl& control, Components& components);
+  const RunControl& control, Components& components, const FeatureSites* features = nullptr);
 }
 
 #endif

@@ -1,6 +1,9 @@
 #include "Delaunay/Dual.h"
 
+#include "Delaunay/HangingTriangles.h"
+#include "Mesh/Duplicates.h"
 #include "Mesh/EdgeTable.h"
+#include "Support/Grouping.h"
 
 #include <algorithm>
 
@@ -8,75 +11,85 @@ namespace remesh
 {
 namespace
 {
-/** The triangles of all points where three cells meet, as often as they come. */
-std::vector<Triple> collectTriangles(const Diagram& diagram, const Components& components)
+/** The triangles of the points of one piece where it has the lowest site of the three. */
+template <class Visit>
+void forEachTriangle(
+  const Diagram& diagram, const Components& components, Offset piece, const Visit& visit)
 {
-  std::vector<Triple> triangles;
-  for (Offset piece = 0; piece < diagram.numberOfPieces(); ++piece)
+  const Index site = diagram.sites[piece];
+  const Offset begin = diagram.vertexBegin[piece];
+  const Offset end = diagram.vertexBegin[piece + 1];
+  for (Offset v = begin; v < end; ++v)
   {
-    const Index site = diagram.sites[piece];
-    const Offset begin = diagram.vertexBegin[piece];
-    const Offset end = diagram.vertexBegin[piece + 1];
-    for (Offset v = begin; v < end; ++v)
+    const Index incoming = diagram.across[v == begin ? end - 1 : v - 1];
+    const Index outgoing = diagram.across[v];
+    if (incoming > site && outgoing > site)
     {
-      const Index incoming = diagram.vertices[v == begin ? end - 1 : v - 1].across;
-      const Index outgoing = diagram.vertices[v].across;
-      if (incoming > site && outgoing > site)
+      const Index facet = diagram.facets[piece];
+      const Triple triangle{ components.ofPiece[piece],
+        components.ofPiece[diagram.pieceOf(facet, incoming)],
+        components.ofPiece[diagram.pieceOf(facet, outgoing)] };
+      // Two of them may be copies of one site.
+      if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
       {
-        const Index facet = diagram.facets[piece];
-        triangles.push_back(
-          { components.ofPiece[piece], components.ofPiece[diagram.pieceOf(facet, incoming)],
-            components.ofPiece[diagram.pieceOf(facet, outgoing)] });
+        visit(triangle);
       }
     }
   }
-  return triangles;
 }
 
-/**
- * Keeps the first of the triangles on the same three vertices.
- *
- * @return those of which there were more.
- */
-std::vector<Triple> removeRepeated(std::vector<Triple>& triangles)
+/** The triangles of all points where three cells meet, as often as they come. */
+bool collectTriangles(const Diagram& diagram, const Components& components,
+  const RunControl& control, std::vector<Triple>& triangles)
 {
-  struct Key
+  const Blocks blocks = longBlocks(diagram.numberOfPieces());
+  std::vector<std::vector<Triple>> found(static_cast<std::size_t>(blocks.count()));
+  if (!forEachBlock(blocks.count(), control,
+        [&](Offset block)
+        {
+          for (Offset piece = blocks.begin(block); piece < blocks.end(block); ++piece)
+          {
+            forEachTriangle(diagram, components, piece,
+              [&](const Triple& triangle) { found[block].push_back(triangle); });
+          }
+        }))
   {
-    Triple sorted;
-    std::size_t position;
-    bool operator<(const Key& other) const
-    {
-      return this->sorted != other.sorted ? this->sorted < other.sorted
-                                          : this->position < other.position;
-    }
-  };
-  std::vector<Key> keys(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    keys[t] = { triangles[t], t };
-    std::sort(keys[t].sorted.begin(), keys[t].sorted.end());
+    return false;
   }
-  std::sort(keys.begin(), keys.end());
-  std::vector<Triple> twins;
-  std::vector<char> repeated(triangles.size(), 0);
-  for (std::size_t k = 1; k < keys.size(); ++k)
+  for (std::vector<Triple>& some : found)
   {
-    if (keys[k].sorted == keys[k - 1].sorted)
-    {
-      repeated[keys[k].position] = 1;
-      twins.push_back(keys[k].sorted);
-    }
+    triangles.insert(triangles.end(), some.begin(), some.end());
+    some = std::vector<Triple>(); // which frees it; {} would keep the memory
   }
+  return true;
+}
+
+Triple sorted(Triple triangle)
+{
+  std::sort(triangle.begin(), triangle.end());
+  return triangle;
+}
+
+/** Keeps the first of the triangles on the same three vertices; `twins` are the others, sorted. */
+bool removeRepeated(
+  const RunControl& control, std::vector<Triple>& triangles, std::vector<Triple>& twins)
+{
+  const std::vector<unsigned char> repeated = findDuplicates(triangles, control);
   std::size_t kept = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    if (!repeated[t])
+    if (repeated[t])
+    {
+      twins.push_back(sorted(triangles[t]));
+    }
+    else
     {
       triangles[kept++] = triangles[t];
     }
   }
   triangles.resize(kept);
-  return twins;
+  std::sort(twins.begin(), twins.end());
+  return !control.cancelled();
 }
 
 /** For each vertex, the number of its triangles. */
@@ -93,13 +106,34 @@ std::vector<Index> countUses(const std::vector<Triple>& triangles, Index numberO
   return uses;
 }
 
+using Edges = std::vector<std::pair<Index, Index>>; // ascending, the lower end first
+
+/** The edges on which more than two sheets of the surface meet. */
+Edges crowdedEdges(const Seams* seams)
+{
+  Edges crowded;
+  if (seams)
+  {
+    for (const FeatureSegment& segment : seams->segments)
+    {
+      if (segment.kind == FeatureKind::NonManifold)
+      {
+        crowded.push_back(std::minmax(segment.ends[0], segment.ends[1]));
+      }
+    }
+    std::sort(crowded.begin(), crowded.end());
+  }
+  return crowded;
+}
+
 /** See Dual::defects. */
 std::vector<Index> findDefects(const std::vector<Triple>& triangles,
-  const std::vector<Triple>& twins, const EdgeTable& edges, const std::vector<Index>& uses)
+  const std::vector<Triple>& twins, const EdgeTable& edges, const std::vector<Index>& uses,
+  const Edges& crowded)
 {
   const auto lessUsed = [&](Index a, Index b) { return uses[b] < uses[a] ? b : a; };
   std::vector<Index> defects;
-  std::vector<std::pair<Index, Index>> hinges; // edges that a repeated triangle makes crowded
+  Edges hinges; // edges that a repeated triangle makes crowded
   for (const auto& [a, b, c] : twins)
   {
     defects.push_back(lessUsed(lessUsed(a, b), c));
@@ -112,7 +146,8 @@ std::vector<Index> findDefects(const std::vector<Triple>& triangles,
     {
       const std::pair<Index, Index> edge = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
       if (edges.valence(edges.facetEdges[t][k]) > 2 &&
-        !std::binary_search(hinges.begin(), hinges.end(), edge))
+        !std::binary_search(hinges.begin(), hinges.end(), edge) &&
+        !std::binary_search(crowded.begin(), crowded.end(), edge))
       {
         defects.push_back(lessUsed(edge.first, edge.second));
       }
@@ -124,47 +159,105 @@ std::vector<Index> findDefects(const std::vector<Triple>& triangles,
 }
 }
 
-Dual buildDual(const Diagram& diagram, const Components& components)
+namespace
 {
-  Dual dual;
-  dual.triangles = collectTriangles(diagram, components);
-  const std::vector<Triple> twins = removeRepeated(dual.triangles);
-  dual.repeated = static_cast<Offset>(twins.size());
-
-  const EdgeTable edges = buildEdgeTable(dual.triangles);
-  const std::vector<Index> uses = countUses(dual.triangles, components.count());
-  dual.defects = findDefects(dual.triangles, twins, edges, uses);
-  for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+/** Counts what the triangles make, and finds where that is no manifold. */
+Status examine(const std::vector<Triple>& twins, Index numberOfVertices, const Seams* seams,
+  const RunControl& control, Dual& dual)
+{
+  const EdgeTable edges = buildEdgeTable(dual.triangles, control);
+  dual.numberOfNonManifoldEdges = countItems(edges.numberOfEdges(), control,
+    [&](Offset edge) { return edges.valence(static_cast<Index>(edge)) > 2; });
+  if (control.cancelled())
   {
-    dual.numberOfNonManifoldEdges += edges.valence(edge) > 2;
+    return Status::cancelled();
+  }
+  const std::vector<Index> uses = countUses(dual.triangles, numberOfVertices);
+  dual.defects.clear();
+  if (!twins.empty() || dual.numberOfNonManifoldEdges > 0)
+  {
+    dual.defects = findDefects(dual.triangles, twins, edges, uses, crowdedEdges(seams));
   }
   const auto used = static_cast<Offset>(uses.size()) - std::count(uses.begin(), uses.end(), 0);
   dual.eulerCharacteristic =
     used - edges.numberOfEdges() + static_cast<Offset>(dual.triangles.size());
-  return dual;
+  return Status::success();
+}
 }
 
-std::vector<Index> countNeighbors(const Diagram& diagram, Index numberOfSites)
+Status buildDual(const Diagram& diagram, const Components& components, const RunControl& control,
+  Dual& dual, const Seams* seams)
 {
-  std::vector<std::pair<Index, Index>> pairs;
-  for (Offset piece = 0; piece < diagram.numberOfPieces(); ++piece)
+  dual = Dual{};
+  const RunControl silent = control.silent();
+  std::vector<Triple> twins;
+  if (!collectTriangles(diagram, components, silent, dual.triangles))
   {
-    for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+    return Status::cancelled();
+  }
+  if (seams)
+  {
+    dual.triangles.insert(dual.triangles.end(), seams->triangles.begin(), seams->triangles.end());
+  }
+  if (!removeRepeated(silent, dual.triangles, twins))
+  {
+    return Status::cancelled();
+  }
+  dual.repeated = static_cast<Offset>(twins.size());
+  return examine(twins, components.count(), seams, silent, dual);
+}
+
+Status dropHangingTriangles(
+  Components& components, Seams& seams, const RunControl& control, Dual& dual)
+{
+  if (dual.numberOfNonManifoldEdges == 0 ||
+    removeHangingTriangles(components, dual.triangles, seams) == 0)
+  {
+    return Status::success();
+  }
+  return examine({}, components.count(), &seams, control.silent(), dual);
+}
+
+Status countNeighbors(const Diagram& diagram, const Components& components, Index numberOfSites,
+  const RunControl& control, std::vector<Index>& counts)
+{
+  counts.assign(static_cast<std::size_t>(numberOfSites), 0);
+  const bool done = forEachRange(longBlocks(components.count()), control,
+    [&](Offset begin, Offset end)
     {
-      if (diagram.vertices[v].across > diagram.sites[piece])
+      std::vector<std::pair<Index, Index>> neighbors; // of each copy of a site, if it has some
+      for (Offset k = begin; k < end; ++k)
       {
-        pairs.emplace_back(diagram.sites[piece], diagram.vertices[v].across);
+        const Index site = components.sites[k];
+        if (components.ranks[k] > 0)
+        {
+          continue; // done with the site's first component
+        }
+        Offset next = k + 1; // the components of a site are consecutive, and so are their pieces
+        while (next < components.count() && components.sites[next] == site)
+        {
+          ++next;
+        }
+        neighbors.clear();
+        for (Offset p = components.pieceBegin[k]; p < components.pieceBegin[next]; ++p)
+        {
+          const Index piece = components.pieces[p];
+          for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+          {
+            if (diagram.across[v] >= 0)
+            {
+              neighbors.emplace_back(diagram.sites[piece], diagram.across[v]);
+            }
+          }
+        }
+        std::sort(neighbors.begin(), neighbors.end());
+        neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+        for (const auto& [copy, neighbor] : neighbors)
+        {
+          ++counts[copy];
+        }
       }
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  std::vector<Index> counts(static_cast<std::size_t>(numberOfSites), 0);
-  for (const auto& [a, b] : pairs)
-  {
-    ++counts[a];
-    ++counts[b];
-  }
-  return counts;
+    });
+  return done ? Status::success() : Status::cancelled();
 }
 }

@@ -5,7 +5,7 @@
 #ifndef remesh_Dual_h
 #define remesh_Dual_h
 
-#include "Delaunay/Components.h"
+#include "Delaunay/Collar.h"
 
 namespace remesh
 {
@@ -26,12 +26,32 @@ struct Dual
 
 /**
  * A triangle for each point where three cells meet, by facet, each set of three components once.
- * O(P log P).
+ *
+ * @param seams adds its triangles, and knows where edges of more than two triangles belong; or
+ *        nullptr.
+ * @return Cancelled; then `dual` is of no use.
+ * Cost: O(P) but for the triangles around a component, which are sorted; in parallel.
  */
-Dual buildDual(const Diagram& diagram, const Components& components);
+Status buildDual(const Diagram& diagram, const Components& components, const RunControl& control,
+  Dual& dual, const Seams* seams = nullptr);
 
-/** For each site, the number of sites whose cells share a segment with its cell. */
-std::vector<Index> countNeighbors(const Diagram& diagram, Index numberOfSites);
+/**
+ * Takes away the triangles that hang on an edge (see HangingTriangles.h), and tells the rest anew;
+ * repeated triangles are not counted among the defects then. O(T).
+ *
+ * @return Cancelled; then `dual` is of no use.
+ */
+Status dropHangingTriangles(
+  Components& components, Seams& seams, const RunControl& control, Dual& dual);
+
+/**
+ * For each of n sites, the number of sites whose cells share a segment with its cell.
+ *
+ * @return Cancelled; then `counts` are of no use.
+ * Cost: O(P) but for the neighbours of a site, which are sorted; in parallel.
+ */
+Status countNeighbors(const Diagram& diagram, const Components& components, Index numberOfSites,
+  const RunControl& control, std::vector<Index>& counts);
 }
 
 #endif

@@ -1,6 +1,8 @@
 #include "Delaunay/TopologyRepair.h"
 
+#include "Embedding/CornerReader.h"
 #include "Embedding/Distance.h"
+#include "Voronoi/VertexPlaces.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,25 +13,28 @@ namespace
 {
 constexpr double mostDefects = 0.01; // of the number of sites
 
-/** The vertex of a component's pieces farthest from the site, in R^d. */
-std::vector<double> farthestPoint(const EmbeddedSurface& surface, const Diagram& diagram,
-  const Components& components, Index component, const double* site)
+/** The vertex of a component's pieces farthest from their sites, in R^d. */
+std::vector<double> farthestPoint(
+  const VertexPlaces& places, const Components& components, Index component)
 {
+  const EmbeddedSurface& surface = places.surface;
+  const Diagram& diagram = places.diagram;
   const int d = surface.dimension;
   std::vector<double> farthest(static_cast<std::size_t>(d));
   std::vector<double> point(farthest.size());
+  CornerReader<Eigen::Dynamic> reader(surface);
   double largest = -1.0;
   for (Offset p = components.pieceBegin[component]; p < components.pieceBegin[component + 1]; ++p)
   {
     const Offset piece = components.pieces[p];
-    const Triple& corners = surface.facetCorners[diagram.facets[piece]];
+    const double* site = places.sites.site(diagram.sites[piece]);
+    const auto corners = reader.facet(diagram.facets[piece]);
     for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
     {
-      const double* b = diagram.vertices[v].b;
+      const std::array<double, 3> b = places.at(piece, v);
       for (int k = 0; k < d; ++k)
       {
-        point[k] = b[0] * surface.corner(corners[0])[k] + b[1] * surface.corner(corners[1])[k] +
-          b[2] * surface.corner(corners[2])[k];
+        point[k] = b[0] * corners[0][k] + b[1] * corners[1][k] + b[2] * corners[2][k];
       }
       const double squared = squaredDistance<Eigen::Dynamic>(point.data(), site, d);
       if (squared > largest)
@@ -43,8 +48,8 @@ std::vector<double> farthestPoint(const EmbeddedSurface& surface, const Diagram&
 }
 
 /** Sites by increasing energy of their cells, without those within two triangles of a defect. */
-std::vector<Index> findDonors(
-  const Components& components, const Dual& dual, const CellSums& sums, std::size_t wanted)
+std::vector<Index> findDonors(const Components& components, const Dual& dual, const CellSums& sums,
+  Index fixed, std::size_t wanted)
 {
   std::vector<char> near(static_cast<std::size_t>(components.count()), 0);
   for (const Index defect : dual.defects)
@@ -68,7 +73,7 @@ std::vector<Index> findDonors(
     keep[components.sites[k]] |= near[k];
   }
   std::vector<Index> donors;
-  for (std::size_t i = 0; i < keep.size(); ++i)
+  for (auto i = static_cast<std::size_t>(fixed); i < keep.size(); ++i)
   {
     if (!keep[i])
     {
@@ -93,14 +98,58 @@ Index moveSitesToDefects(const EmbeddedSurface& surface, const Diagram& diagram,
   {
     return 0;
   }
-  const std::vector<Index> donors = findDonors(components, dual, sums, dual.defects.size());
+  const std::vector<Index> donors =
+    findDonors(components, dual, sums, sites.fixed, dual.defects.size());
+  const Sites cutSites = sites; // those of the diagram, while others move
+  const VertexPlaces places{ surface, cutSites, diagram };
   for (std::size_t k = 0; k < donors.size(); ++k)
   {
     const Index component = dual.defects[k];
-    const std::vector<double> place = farthestPoint(
-      surface, diagram, components, component, sites.site(components.sites[component]));
+    const std::vector<double> place = farthestPoint(places, components, component);
     std::copy(place.begin(), place.end(), sites.site(donors[k]));
   }
+  return static_cast<Index>(donors.size());
+}
+
+Index adjustNumber(const EmbeddedSurface& surface, const Diagram& diagram,
+  const Components& components, const Dual& dual, const CellSums& sums, Offset wanted, Sites& sites)
+{
+  const Offset surplus = components.count() - wanted;
+  const auto d = static_cast<std::size_t>(sites.dimension);
+  if (surplus <= 0)
+  {
+    std::vector<Index> byEnergy(static_cast<std::size_t>(components.count()));
+    std::iota(byEnergy.begin(), byEnergy.end(), Index(0));
+    std::stable_sort(byEnergy.begin(), byEnergy.end(),
+      [&](Index a, Index b) { return components.energy[a] > components.energy[b]; });
+    byEnergy.resize(std::min(byEnergy.size(), static_cast<std::size_t>(-surplus)));
+    std::vector<double> added;
+    for (const Index component : byEnergy)
+    {
+      const std::vector<double> place =
+        farthestPoint({ surface, sites, diagram }, components, component);
+      added.insert(added.end(), place.begin(), place.end());
+    }
+    sites.coordinates.insert(sites.coordinates.end(), added.begin(), added.end());
+    return static_cast<Index>(byEnergy.size());
+  }
+  const std::vector<Index> donors =
+    findDonors(components, dual, sums, sites.fixed, static_cast<std::size_t>(surplus));
+  std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
+  for (const Index donor : donors)
+  {
+    removed[donor] = 1;
+  }
+  std::size_t kept = 0;
+  for (Index i = 0; i < sites.count(); ++i)
+  {
+    if (!removed[i])
+    {
+      std::copy_n(sites.site(i), d, sites.coordinates.data() + kept * d);
+      ++kept;
+    }
+  }
+  sites.coordinates.resize(kept * d);
   return static_cast<Index>(donors.size());
 }
 }

@@ -24,6 +24,17 @@ namespace remesh
  */
 Index moveSitesToDefects(const EmbeddedSurface& surface, const Diagram& diagram,
   const Components& components, const Dual& dual, const CellSums& sums, Sites& sites);
+
+/**
+ * Brings the number of the mesh's vertices to what was asked for: takes away the free sites with
+ * the least energy, away from defects, or adds sites where cells have the most.
+ *
+ * @param wanted vertices, sites on features (counted once) included.
+ * @return the number of sites taken away or added; 0 where there is none to take.
+ */
+Index adjustNumber(const EmbeddedSurface& surface, const Diagram& diagram,
+  const Components& components, const Dual& dual, const CellSums& sums, Offset wanted,
+  Sites& sites);
 }
 
 #endif

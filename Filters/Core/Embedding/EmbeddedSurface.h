@@ -4,10 +4,14 @@
  *
  * These stages know d and never what the coordinates mean. Coordinates are centred and scaled by a
  * power of two (exact), so that they are at most 1 in size; `toCaller` undoes it.
+ *
+ * A surface of many dimensions may read its coordinates from the caller's arrays (`source`) instead
+ * of holding them; CornerReader gives the same values, to the bit, either way.
  */
 #ifndef remesh_EmbeddedSurface_h
 #define remesh_EmbeddedSurface_h
 
+#include "Embedding/CornerCoordinates.h"
 #include "Mesh/SurfaceMesh.h"
 
 namespace remesh
@@ -21,10 +25,23 @@ struct FacetConstants
   double edge2[3] = { 0.0, 0.0, 0.0 }; ///< squared length in R^d of edge k, corners k, k + 1
 };
 
+/**
+ * From here on, coordinates are read as rarely as can be, and may be lent; surfaces of fewer
+ * dimensions hold theirs, as a copy is small, and reading it is what the time goes into.
+ */
+constexpr int manyDimensions = 64;
+
 struct EmbeddedSurface
 {
   int dimension = 0;
-  std::vector<double> corners;           ///< C x d, centred and scaled
+  /**
+   * The first so many coordinates are the embedding; further ones keep patches apart (see
+   * separatePatches) and are constant over a facet.
+   */
+  int callerDimension = 0;
+  double patchStep = 0.0;                ///< between patches in coordinate `callerDimension`; or 0
+  std::vector<double> corners;           ///< C x d, centred and scaled; none where `source` lends
+  CornerCoordinates source;              ///< empty where `corners` holds the coordinates
   std::vector<Triple> facetCorners;      ///< F x 3
   std::vector<FacetConstants> constants; ///< F
   std::vector<double> center;            ///< d, in the caller's units
@@ -34,11 +51,22 @@ struct EmbeddedSurface
   Index numberOfFacets() const { return static_cast<Index>(this->facetCorners.size()); }
   Index numberOfCorners() const
   {
-    return static_cast<Index>(this->corners.size() / static_cast<std::size_t>(this->dimension));
+    return static_cast<Index>(this->source.isLent()
+        ? this->source.rows.size()
+        : this->corners.size() / static_cast<std::size_t>(this->dimension));
   }
+  /** Only where the surface holds its corners; CornerReader serves all surfaces. */
   const double* corner(Index id) const
   {
     return this->corners.data() + static_cast<std::size_t>(id) * this->dimension;
+  }
+
+  /** The patch of a point, by its coordinates. */
+  Index patchOf(const double* point) const
+  {
+    return this->patchStep > 0.0
+      ? static_cast<Index>(point[this->callerDimension] / this->patchStep + 0.5)
+      : 0;
   }
 
   /** Coordinate k of a point, in the caller's units. */
@@ -47,12 +75,24 @@ struct EmbeddedSurface
   {
     return (coordinate - this->center[k]) / this->unit;
   }
+
+  /** Row of a corner that `source` lends, centred and scaled (d values). */
+  void readScaled(Index id, double* row) const
+  {
+    this->source.read(id, row);
+    const double inverse = 1.0 / this->unit; // of a power of two: as exact as dividing
+    for (int k = 0; k < this->dimension; ++k)
+    {
+      row[k] = (row[k] - this->center[k]) * inverse;
+    }
+  }
 };
 
 /** n points of R^d, row by row, in the scaled units of an EmbeddedSurface. */
 struct Sites
 {
   int dimension = 0;
+  Index fixed = 0;                 ///< the first so many never move
   std::vector<double> coordinates; ///< n x d
 
   Index count() const

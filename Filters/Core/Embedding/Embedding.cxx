@@ -1,5 +1,6 @@
 #include "Embedding/Embedding.h"
 
+#include "Embedding/CornerReader.h"
 #include "Embedding/Distance.h"
 #include "Support/Parallel.h"
 
@@ -13,15 +14,9 @@ namespace remesh
 namespace
 {
 /** Radius about the centroid, squared edges and areas of one facet. */
-FacetConstants measureFacet(const SurfaceMesh& mesh, const EmbeddedSurface& surface, Index facet)
+FacetConstants measureFacet(
+  const SurfaceMesh& mesh, int d, Index facet, const std::array<const double*, 3>& p)
 {
-  const int d = surface.dimension;
-  const Triple& corners = surface.facetCorners[facet];
-  const double* p[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    p[k] = surface.corner(corners[k]);
-  }
   FacetConstants constants;
   constants.mass = triangleArea(p[0], p[1], p[2], d);
   for (int k = 0; k < 3; ++k)
@@ -51,12 +46,13 @@ FacetConstants measureFacet(const SurfaceMesh& mesh, const EmbeddedSurface& surf
 Status findFrame(const CornerCoordinates& coordinates, EmbeddedSurface& surface)
 {
   const int d = coordinates.dimension;
-  const std::size_t count = coordinates.values.size() / static_cast<std::size_t>(d);
-  std::vector<double> lower(coordinates.values.begin(), coordinates.values.begin() + d);
+  std::vector<double> scratch;
+  const double* first = coordinates.row(0, scratch);
+  std::vector<double> lower(first, first + d);
   std::vector<double> upper = lower;
-  for (std::size_t c = 0; c < count; ++c)
+  for (Offset c = 0; c < coordinates.count(); ++c)
   {
-    const double* x = coordinates.values.data() + c * static_cast<std::size_t>(d);
+    const double* x = coordinates.row(static_cast<Index>(c), scratch);
     for (int k = 0; k < d; ++k)
     {
       if (!std::isfinite(x[k]))
@@ -153,24 +149,35 @@ CornerCoordinates gaussMapCoordinates(
   return coordinates;
 }
 
+void widenCoordinates(CornerCoordinates& coordinates, int more)
+{
+  const int before = coordinates.dimension;
+  const auto total = static_cast<std::size_t>(before) + static_cast<std::size_t>(more);
+  const auto count = static_cast<std::size_t>(coordinates.count());
+  std::vector<double> values(count * total);
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    std::copy_n(coordinates.values.data() + c * static_cast<std::size_t>(before), before,
+      values.data() + c * total);
+  }
+  coordinates.dimension = static_cast<int>(total);
+  coordinates.values = std::move(values);
+}
+
 void appendCoordinates(CornerCoordinates& coordinates, const CornerCoordinates& more, double scale)
 {
   const int before = coordinates.dimension;
-  const int total = before + more.dimension;
-  const std::size_t count =
-    before > 0 ? coordinates.values.size() / static_cast<std::size_t>(before) : 0;
-  std::vector<double> values(count * static_cast<std::size_t>(total));
-  for (std::size_t c = 0; c < count; ++c)
+  widenCoordinates(coordinates, more.dimension);
+  const auto total = static_cast<std::size_t>(coordinates.dimension);
+  const auto size = static_cast<std::size_t>(more.dimension);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(coordinates.count()); ++c)
   {
-    double* row = values.data() + c * static_cast<std::size_t>(total);
-    std::copy_n(coordinates.values.data() + c * static_cast<std::size_t>(before), before, row);
-    for (int k = 0; k < more.dimension; ++k)
+    double* row = coordinates.values.data() + c * total + before;
+    for (std::size_t k = 0; k < size; ++k)
     {
-      row[before + k] = scale * more.values[c * static_cast<std::size_t>(more.dimension) + k];
+      row[k] = scale * more.values[c * size + k];
     }
   }
-  coordinates.dimension = total;
-  coordinates.values = std::move(values);
 }
 
 void roundToCaller(const EmbeddedSurface& surface, Sites& sites)
@@ -183,36 +190,77 @@ void roundToCaller(const EmbeddedSurface& surface, Sites& sites)
   }
 }
 
-Status embedSurface(const SurfaceMesh& mesh, const CornerCoordinates& coordinates,
+void separatePatches(const std::vector<Index>& facetPatches, EmbeddedSurface& surface)
+{
+  const int d = surface.dimension;
+  const int compiled[] = { 3, 6, 8 };
+  const auto* fitting =
+    std::find_if(std::begin(compiled), std::end(compiled), [d](int size) { return size > d; });
+  const int total = fitting != std::end(compiled) ? *fitting : d + 1;
+  int exponent = 0;
+  std::frexp(4.0 * std::sqrt(static_cast<double>(d)), &exponent); // coordinates are at most 1
+  surface.patchStep = std::ldexp(1.0, exponent);
+  const auto count = static_cast<std::size_t>(surface.numberOfCorners());
+  std::vector<double> corners(count * static_cast<std::size_t>(total), 0.0);
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    std::copy_n(surface.corners.data() + c * static_cast<std::size_t>(d), d,
+      corners.data() + c * static_cast<std::size_t>(total));
+  }
+  for (std::size_t f = 0; f < surface.facetCorners.size(); ++f)
+  {
+    for (const Index corner : surface.facetCorners[f])
+    {
+      corners[static_cast<std::size_t>(corner) * static_cast<std::size_t>(total) + d] =
+        surface.patchStep * facetPatches[f];
+    }
+  }
+  surface.corners = std::move(corners);
+  surface.dimension = total;
+  surface.center.resize(static_cast<std::size_t>(total), 0.0);
+}
+
+Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
   const RunControl& control, EmbeddedSurface& surface)
 {
   const int d = coordinates.dimension;
   surface = EmbeddedSurface{};
   surface.dimension = d;
+  surface.callerDimension = d;
   surface.facetCorners = mesh.facetCorners;
   if (Status status = findFrame(coordinates, surface); !status.ok())
   {
     return status;
   }
-  surface.corners.resize(coordinates.values.size());
-  const Blocks corners = Blocks::cut(surface.numberOfCorners(), 1024, 65536);
+  if (coordinates.isLent())
+  {
+    surface.source = std::move(coordinates);
+  }
+  else
+  {
+    surface.corners = std::move(coordinates.values);
+  }
+  const Blocks held =
+    Blocks::cut(static_cast<Offset>(surface.corners.size()) / d, 1024, 65536); // corners
   surface.constants.resize(mesh.facetPoints.size());
   const Blocks facets = Blocks::cut(surface.numberOfFacets(), 1024, 65536);
-  const bool done = forEachRange(corners, control,
+  const bool done = forEachRange(held, control,
                       [&](Offset begin, Offset end)
                       {
                         for (Offset k = begin * d; k < end * d; ++k)
                         {
                           surface.corners[k] =
-                            surface.toScaled(coordinates.values[k], static_cast<int>(k % d));
+                            surface.toScaled(surface.corners[k], static_cast<int>(k % d));
                         }
                       }) &&
     forEachRange(facets, control,
       [&](Offset begin, Offset end)
       {
-        for (Offset facet = begin; facet < end; ++facet)
+        CornerReader<Eigen::Dynamic> reader(surface);
+        for (Offset f = begin; f < end; ++f)
         {
-          surface.constants[facet] = measureFacet(mesh, surface, static_cast<Index>(facet));
+          const auto facet = static_cast<Index>(f);
+          surface.constants[f] = measureFacet(mesh, d, facet, reader.facet(facet));
         }
       });
   if (!done)

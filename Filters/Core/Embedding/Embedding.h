@@ -11,13 +11,6 @@
 
 namespace remesh
 {
-/** Values at the corners of a surface, in the caller's units. */
-struct CornerCoordinates
-{
-  int dimension = 0;
-  std::vector<double> values; ///< C x dimension
-};
-
 /** Phi(x) = (x, y, z) ([Levy12] at s = 0). */
 CornerCoordinates positionCoordinates(const SurfaceMesh& mesh);
 
@@ -30,17 +23,34 @@ CornerCoordinates positionCoordinates(const SurfaceMesh& mesh);
 CornerCoordinates gaussMapCoordinates(
   const SurfaceMesh& mesh, const std::vector<Point3>& normals, double s);
 
-/** Appends `scale` times the components of `more` to each corner's coordinates. */
+/** Appends `scale` times the components of `more` to each corner's coordinates; none is lent. */
 void appendCoordinates(CornerCoordinates& coordinates, const CornerCoordinates& more, double scale);
+
+/**
+ * Makes room for `more` components, zero so far, after those of each corner. None is lent.
+ * Holds the old and the new rows at once.
+ */
+void widenCoordinates(CornerCoordinates& coordinates, int more);
 
 /**
  * Centres and scales the coordinates and computes the constants of the facets.
  *
+ * @param coordinates are scaled in place and become the surface's, unless they are lent (of at
+ * least manyDimensions components): then the lent arrays must outlive the surface.
  * @return InvalidInput when a coordinate is not finite, when coordinates span more than a double
  *         can square, or when the surface has no area in R^d.
  */
-Status embedSurface(const SurfaceMesh& mesh, const CornerCoordinates& coordinates,
+Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
   const RunControl& control, EmbeddedSurface& surface);
+
+/**
+ * Adds coordinates that put patches so far apart that no site's cell reaches another patch: the
+ * number of the patch times a power of two above twice the diameter, and zeros up to a dimension
+ * that the distances are compiled for. Distances within a patch stay the same numbers.
+ *
+ * @param facetPatches F, from 0.
+ */
+void separatePatches(const std::vector<Index>& facetPatches, EmbeddedSurface& surface);
 
 /**
  * Rounds sites to coordinates that `toCaller` and back again, `toScaled`, do not change: the same

@@ -1,12 +1,12 @@
 /**
  * @file Duplicates.cxx
  *
- * 1. Put the facets into one bucket per lowest point (count, scan, fill).
+ * 1. Put the facets into one bucket per lowest point.
  * 2. Sort each bucket by the other two points, then by facet: repetitions follow their original.
  */
 #include "Mesh/Duplicates.h"
 
-#include <algorithm>
+#include "Support/Grouping.h"
 
 namespace remesh
 {
@@ -31,39 +31,42 @@ Triple sorted(Triple facet)
 }
 }
 
-std::vector<unsigned char> findDuplicates(const std::vector<Triple>& facetPoints)
+std::vector<unsigned char> findDuplicates(
+  const std::vector<Triple>& facetPoints, const RunControl& control)
 {
-  Index highest = noIndex;
-  for (const Triple& facet : facetPoints)
-  {
-    highest = std::max(highest, *std::min_element(facet.begin(), facet.end()));
-  }
-  std::vector<Offset> begins(static_cast<std::size_t>(highest) + 2, 0);
-  for (const Triple& facet : facetPoints)
-  {
-    ++begins[*std::min_element(facet.begin(), facet.end()) + 1];
-  }
-  for (std::size_t i = 1; i < begins.size(); ++i)
-  {
-    begins[i] += begins[i - 1];
-  }
-  std::vector<BucketEntry> entries(facetPoints.size());
-  std::vector<Offset> next(begins);
-  for (std::size_t f = 0; f < facetPoints.size(); ++f)
-  {
-    const Triple points = sorted(facetPoints[f]);
-    entries[next[points[0]]++] = { { points[1], points[2] }, static_cast<Index>(f) };
-  }
-
+  const auto lowest = [&](Offset facet)
+  { return *std::min_element(facetPoints[facet].begin(), facetPoints[facet].end()); };
+  const auto count = static_cast<Offset>(facetPoints.size());
   std::vector<unsigned char> duplicate(facetPoints.size(), 0);
-  for (std::size_t point = 0; point + 1 < begins.size(); ++point)
+  Index highest = noIndex;
+  for (Offset f = 0; f < count; ++f)
   {
-    std::sort(entries.begin() + begins[point], entries.begin() + begins[point + 1]);
-    for (Offset i = begins[point] + 1; i < begins[point + 1]; ++i)
-    {
-      duplicate[entries[i].facet] = entries[i].points == entries[i - 1].points;
-    }
+    highest = std::max(highest, lowest(f));
   }
-  return duplicate;
+  Groups buckets;
+  if (!groupByKey(count, highest + 1, control.silent(), lowest, buckets))
+  {
+    return duplicate;
+  }
+  const bool done = forEachRange(longBlocks(highest + 1), control.silent(),
+    [&](Offset begin, Offset end)
+    {
+      std::vector<BucketEntry> entries;
+      for (Offset point = begin; point < end; ++point)
+      {
+        entries.clear();
+        for (Offset k = buckets.begins[point]; k < buckets.begins[point + 1]; ++k)
+        {
+          const Triple points = sorted(facetPoints[buckets.items[k]]);
+          entries.push_back({ { points[1], points[2] }, buckets.items[k] });
+        }
+        std::sort(entries.begin(), entries.end());
+        for (std::size_t k = 1; k < entries.size(); ++k)
+        {
+          duplicate[entries[k].facet] = entries[k].points == entries[k - 1].points;
+        }
+      }
+    });
+  return done ? duplicate : std::vector<unsigned char>(facetPoints.size(), 0);
 }
 }

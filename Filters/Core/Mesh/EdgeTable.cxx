@@ -2,132 +2,143 @@
  * @file EdgeTable.cxx
  *
  * Half-edge 3 f + k is edge k of facet f.
- * 1. Put the half-edges into one bucket per lower end point (count, scan, fill).
+ * 1. Put the half-edges into one bucket per lower end point.
  * 2. Sort each bucket by upper end point, then by half-edge: the half-edges of an edge become
- *    consecutive, and the first of them leads the others.
- * 3. Run over the half-edges: a leader opens a new edge, the others take over their leader's.
- * 4. Collect the facets of each edge (count, scan, fill).
+ *    consecutive, a run, and the first of them leads the others.
+ * 3. Number the edges in the order of their leaders, and scan the lengths of their runs.
+ * 4. Tell the half-edges of each run their edge, and the edge its facets.
  */
 #include "Mesh/EdgeTable.h"
 
-#include <algorithm>
+#include "Support/Grouping.h"
 
 namespace remesh
 {
 namespace
 {
-struct HalfEdge
-{
-  Index lower;
-  Index upper;
-};
+using Ends = std::pair<Index, Index>;
 
-HalfEdge halfEdgeOf(const std::vector<Triple>& facetPoints, std::size_t halfEdge)
+Ends endsOf(const std::vector<Triple>& facetPoints, Offset halfEdge)
 {
   const Triple& facet = facetPoints[halfEdge / 3];
-  const auto [low, high] = std::minmax(facet[halfEdge % 3], facet[(halfEdge + 1) % 3]);
-  return { low, high };
+  return std::minmax(facet[halfEdge % 3], facet[(halfEdge + 1) % 3]);
 }
 
-/** Turns counts, stored one place later, into the beginnings of the buckets. */
-void scan(std::vector<Offset>& begins)
+/** A half-edge as it stands in its bucket: the leader of a run is below zero. */
+constexpr Index marked(Index leader)
 {
-  for (std::size_t i = 1; i < begins.size(); ++i)
+  return -1 - leader; // and back again
+}
+
+/** Sorts a bucket, marks the leaders, and writes the length of each leader's run. */
+void sortBucket(const std::vector<Triple>& facetPoints, Index* begin, Index* end,
+  std::vector<std::uint64_t>& entries, std::vector<Index>& lengths)
+{
+  entries.clear();
+  for (const Index* item = begin; item != end; ++item)
   {
-    begins[i] += begins[i - 1];
+    const auto upper = static_cast<std::uint64_t>(endsOf(facetPoints, *item).second);
+    entries.push_back(upper << 32 | static_cast<std::uint64_t>(*item));
+  }
+  std::sort(entries.begin(), entries.end());
+  Index leader = noIndex;
+  for (std::size_t k = 0; k < entries.size(); ++k)
+  {
+    const auto halfEdge = static_cast<Index>(entries[k] & 0xFFFFFFFF);
+    const bool leads = k == 0 || entries[k] >> 32 != entries[k - 1] >> 32;
+    leader = leads ? halfEdge : leader;
+    ++lengths[leader];
+    begin[k] = leads ? marked(halfEdge) : halfEdge;
   }
 }
 
-/** Buckets of half-edges by lower point; an entry holds the upper point above the half-edge. */
-struct HalfEdgeBuckets
-{
-  std::vector<Offset> begins;
-  std::vector<std::uint64_t> entries;
-
-  explicit HalfEdgeBuckets(const std::vector<Triple>& facetPoints);
-  static Index upper(std::uint64_t entry) { return static_cast<Index>(entry >> 32); }
-  static std::size_t halfEdge(std::uint64_t entry) { return entry & 0xFFFFFFFF; }
-};
-
-HalfEdgeBuckets::HalfEdgeBuckets(const std::vector<Triple>& facetPoints)
-  : entries(3 * facetPoints.size())
+/** Steps 1 and 2. */
+bool findRuns(const std::vector<Triple>& facetPoints, const RunControl& control,
+  std::vector<Index>& halfEdges, std::vector<Index>& lengths)
 {
   Index highest = noIndex;
   for (const Triple& facet : facetPoints)
   {
     highest = std::max({ highest, facet[0], facet[1], facet[2] });
   }
-  this->begins.assign(static_cast<std::size_t>(highest) + 2, 0);
-  for (std::size_t h = 0; h < this->entries.size(); ++h)
+  const auto count = 3 * static_cast<Offset>(facetPoints.size());
+  const auto lower = [&](Offset halfEdge) { return endsOf(facetPoints, halfEdge).first; };
+  Groups buckets;
+  lengths.resize(static_cast<std::size_t>(count), 0);
+  if (!groupByKey(count, highest + 1, control, lower, buckets))
   {
-    ++this->begins[halfEdgeOf(facetPoints, h).lower + 1];
+    return false;
   }
-  scan(this->begins);
-  std::vector<Offset> next(this->begins);
-  for (std::size_t h = 0; h < this->entries.size(); ++h)
-  {
-    const HalfEdge ends = halfEdgeOf(facetPoints, h);
-    this->entries[next[ends.lower]++] = static_cast<std::uint64_t>(ends.upper) << 32 | h;
-  }
-  for (std::size_t point = 0; point + 1 < this->begins.size(); ++point)
-  {
-    std::sort(
-      this->entries.begin() + this->begins[point], this->entries.begin() + this->begins[point + 1]);
-  }
-}
-
-/** Writes the leader of each half-edge into `facetEdges`. */
-void findLeaders(const HalfEdgeBuckets& buckets, std::vector<Triple>& facetEdges)
-{
-  for (std::size_t point = 0; point + 1 < buckets.begins.size(); ++point)
-  {
-    std::uint64_t leader = 0;
-    for (Offset i = buckets.begins[point]; i < buckets.begins[point + 1]; ++i)
+  halfEdges = std::move(buckets.items);
+  return forEachRange(longBlocks(highest + 1), control,
+    [&](Offset begin, Offset end)
     {
-      const std::uint64_t entry = buckets.entries[i];
-      if (i == buckets.begins[point] ||
-        HalfEdgeBuckets::upper(entry) != HalfEdgeBuckets::upper(leader))
+      std::vector<std::uint64_t> entries;
+      for (Offset point = begin; point < end; ++point)
       {
-        leader = entry;
+        sortBucket(facetPoints, halfEdges.data() + buckets.begins[point],
+          halfEdges.data() + buckets.begins[point + 1], entries, lengths);
       }
-      const std::size_t h = HalfEdgeBuckets::halfEdge(entry);
-      facetEdges[h / 3][h % 3] = static_cast<Index>(HalfEdgeBuckets::halfEdge(leader));
-    }
+    });
+}
+
+/** Step 3: gives each leader its edge, and each edge the beginning of its facets. */
+bool numberEdges(const std::vector<Index>& lengths, const RunControl& control, EdgeTable& table)
+{
+  if (!packItems(
+        static_cast<Offset>(lengths.size()), control, [&](Offset h) { return lengths[h] > 0; },
+        [&](Offset edges) { table.edgeFacetsBegin.assign(static_cast<std::size_t>(edges) + 1, 0); },
+        [&](Offset h, Offset edge)
+        {
+          table.facetEdges[h / 3][h % 3] = static_cast<Index>(edge);
+          table.edgeFacetsBegin[edge] = lengths[h];
+        }))
+  {
+    return false;
   }
+  table.edgeFacets.resize(static_cast<std::size_t>(scanCounts(table.edgeFacetsBegin)));
+  return true;
+}
+
+/** Step 4, for the runs that start in [begin, end). */
+void fillRuns(const std::vector<Index>& halfEdges, Offset begin, Offset end, EdgeTable& table)
+{
+  const auto size = static_cast<Offset>(halfEdges.size());
+  while (begin < end && halfEdges[begin] >= 0)
+  {
+    ++begin; // of a run that started before
+  }
+  Index edge = noIndex;
+  Offset place = 0;
+  for (Offset k = begin; k < size && (k < end || halfEdges[k] >= 0); ++k)
+  {
+    const bool leads = halfEdges[k] < 0;
+    const Index halfEdge = leads ? marked(halfEdges[k]) : halfEdges[k];
+    if (leads)
+    {
+      edge = table.facetEdges[halfEdge / 3][halfEdge % 3];
+      place = table.edgeFacetsBegin[edge];
+    }
+    table.facetEdges[halfEdge / 3][halfEdge % 3] = edge;
+    table.edgeFacets[place++] = halfEdge / 3;
+  }
+}
+
+bool build(const std::vector<Triple>& facetPoints, const RunControl& control, EdgeTable& table)
+{
+  table.facetEdges.resize(facetPoints.size());
+  std::vector<Index> halfEdges;
+  std::vector<Index> lengths;
+  return findRuns(facetPoints, control, halfEdges, lengths) &&
+    numberEdges(lengths, control, table) &&
+    forEachRange(longBlocks(static_cast<Offset>(halfEdges.size())), control,
+      [&](Offset begin, Offset end) { fillRuns(halfEdges, begin, end, table); });
 }
 }
 
-EdgeTable buildEdgeTable(const std::vector<Triple>& facetPoints)
+EdgeTable buildEdgeTable(const std::vector<Triple>& facetPoints, const RunControl& control)
 {
   EdgeTable table;
-  table.facetEdges.resize(facetPoints.size());
-  table.edgeFacetsBegin.push_back(0);
-  findLeaders(HalfEdgeBuckets(facetPoints), table.facetEdges);
-
-  const std::size_t numberOfHalfEdges = 3 * facetPoints.size();
-  for (std::size_t h = 0; h < numberOfHalfEdges; ++h)
-  {
-    Index& edge = table.facetEdges[h / 3][h % 3];
-    const auto leader = static_cast<std::size_t>(edge);
-    if (leader == h)
-    {
-      edge = table.numberOfEdges();
-      table.edgeFacetsBegin.push_back(0);
-    }
-    else
-    {
-      edge = table.facetEdges[leader / 3][leader % 3];
-    }
-    ++table.edgeFacetsBegin[edge + 1];
-  }
-  scan(table.edgeFacetsBegin);
-
-  table.edgeFacets.resize(numberOfHalfEdges);
-  std::vector<Offset> next(table.edgeFacetsBegin);
-  for (std::size_t h = 0; h < numberOfHalfEdges; ++h)
-  {
-    table.edgeFacets[next[table.facetEdges[h / 3][h % 3]]++] = static_cast<Index>(h / 3);
-  }
-  return table;
+  return build(facetPoints, control.silent(), table) ? table : EdgeTable{};
 }
 }

@@ -6,15 +6,16 @@
 #define remesh_EdgeTable_h
 
 #include "Mesh/SurfaceMesh.h"
+#include "Support/RunControl.h"
 
 namespace remesh
 {
 /** Edge k of a facet joins its points k and (k + 1) % 3. */
 struct EdgeTable
 {
-  std::vector<Triple> facetEdges;      ///< F x 3, edge ids
-  std::vector<Offset> edgeFacetsBegin; ///< E + 1, into `edgeFacets`
-  std::vector<Index> edgeFacets;       ///< facets around each edge, ascending
+  std::vector<Triple> facetEdges;              ///< F x 3, edge ids
+  std::vector<Offset> edgeFacetsBegin = { 0 }; ///< E + 1, into `edgeFacets`
+  std::vector<Index> edgeFacets;               ///< facets around each edge, ascending
 
   Index numberOfEdges() const { return static_cast<Index>(this->edgeFacetsBegin.size()) - 1; }
   Index valence(Index edge) const
@@ -28,9 +29,11 @@ struct EdgeTable
  *
  * @param facetPoints F x 3, F <= maximumIndex / 3, ids from 0 (of points, or of corners: then the
  *        edges are those of the embedded surface, cut open along its creases).
- * Cost: O(F log k) time, k the most facets around a point; O(F + highest id) memory.
+ * @param control asked for cancellation; the table of a cancelled run is empty.
+ * Cost: O(F log k) time, k the most facets around a point, in parallel; O(F + highest id) memory.
  */
-EdgeTable buildEdgeTable(const std::vector<Triple>& facetPoints);
+EdgeTable buildEdgeTable(
+  const std::vector<Triple>& facetPoints, const RunControl& control = RunControl());
 }
 
 #endif

@@ -160,6 +160,42 @@ Point3 smoothedNormal(
   return hasDirection ? Point3(sum / length) : normals[corner];
 }
 
+/** Whether a point of the surface was cut into several corners. */
+std::vector<char> findCutPoints(const SurfaceMesh& mesh)
+{
+  std::vector<char> corners(mesh.points.size(), 0);
+  for (const Index point : mesh.cornerPoints)
+  {
+    corners[point] = static_cast<char>(std::min(corners[point] + 1, 2));
+  }
+  for (char& count : corners)
+  {
+    count = count > 1;
+  }
+  return corners;
+}
+
+/** Input points that lie in several corners of one point: their normals belong to none of them. */
+std::vector<char> findSharedInputs(const SurfaceMesh& mesh, std::size_t numberOfInputs)
+{
+  const std::vector<char> cut = findCutPoints(mesh);
+  std::vector<Index> corner(numberOfInputs, noIndex);
+  std::vector<char> shared(numberOfInputs, 0);
+  for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Offset input = mesh.facetInputPoints[f][k];
+      if (cut[mesh.facetPoints[f][k]])
+      {
+        shared[input] |= corner[input] != noIndex && corner[input] != mesh.facetCorners[f][k];
+        corner[input] = mesh.facetCorners[f][k];
+      }
+    }
+  }
+  return shared;
+}
+
 /** The caller's points at each corner, once per facet that uses them there. */
 struct CornerInputs
 {
@@ -200,14 +236,15 @@ CornerInputs collectCornerInputs(const SurfaceMesh& mesh)
 }
 
 /** Mean direction of a corner's distinct input normals, or zero. */
-Point3 meanOfInputs(
-  const CornerInputs& inputs, std::size_t corner, const std::vector<Point3>& inputNormals)
+Point3 meanOfInputs(const CornerInputs& inputs, std::size_t corner,
+  const std::vector<Point3>& inputNormals, const std::vector<char>& shared)
 {
   Point3 sum = Point3::Zero();
   int count = 0;
   for (Offset i = inputs.begins[corner]; i < inputs.begins[corner + 1]; ++i)
   {
-    if (i == inputs.begins[corner] || inputs.points[i] != inputs.points[i - 1])
+    const bool first = i == inputs.begins[corner] || inputs.points[i] != inputs.points[i - 1];
+    if (first && !shared[inputs.points[i]])
     {
       sum += inputNormals[inputs.points[i]].stableNormalized();
       ++count;
@@ -241,18 +278,17 @@ Status checkInputNormals(const SurfaceMesh& mesh, const std::vector<Point3>& inp
 std::vector<Point3> estimateCornerNormals(
   const SurfaceMesh& mesh, int passes, const RunControl& control)
 {
-  const int count = passes < 0 ? automaticSmoothingPasses : passes;
   std::vector<Point3> normals = angleWeightedNormals(mesh);
-  if (count == 0 || normals.empty())
+  if (passes <= 0 || normals.empty())
   {
     return normals;
   }
   const CornerRings rings = buildRings(mesh);
   const Blocks blocks = Blocks::cut(static_cast<Offset>(normals.size()), 128, 1 << 15);
   std::vector<Point3> smoothed(normals.size());
-  for (int pass = 0; pass < count; ++pass)
+  for (int pass = 0; pass < passes; ++pass)
   {
-    const bool done = forEachRange(blocks, control.step(pass, count),
+    const bool done = forEachRange(blocks, control.step(pass, passes),
       [&](Offset begin, Offset end)
       {
         for (Offset corner = begin; corner < end; ++corner)
@@ -277,11 +313,12 @@ Status givenCornerNormals(
     return status;
   }
   const CornerInputs inputs = collectCornerInputs(mesh);
+  const std::vector<char> shared = findSharedInputs(mesh, inputNormals.size());
   std::vector<Point3> estimated; // on demand
   normals.resize(mesh.cornerPoints.size());
   for (std::size_t corner = 0; corner < normals.size(); ++corner)
   {
-    normals[corner] = meanOfInputs(inputs, corner, inputNormals);
+    normals[corner] = meanOfInputs(inputs, corner, inputNormals, shared);
     if (normals[corner].isZero(0.0))
     {
       if (estimated.empty())

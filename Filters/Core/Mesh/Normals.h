@@ -11,13 +11,10 @@
 
 namespace remesh
 {
-/** Passes that a negative number of smoothing passes stands for. */
-constexpr int automaticSmoothingPasses = 3;
-
 /**
  * Angle-weighted means of the facet normals, smoothed by uniform 1-ring averaging.
  *
- * @param passes smoothing passes; negative: `automaticSmoothingPasses`. Parallel.
+ * @param passes smoothing passes, >= 0. Parallel.
  * @param control reports the passes; when it cancels, the passes done so far are returned.
  * @return C unit vectors; a corner without direction (facets that cancel out) gets the normal of
  *         its first facet.
@@ -28,7 +25,9 @@ std::vector<Point3> estimateCornerNormals(
 
 /**
  * The caller's normals: at each corner the normalised mean of the distinct input points merged
- * into it (an input point counts once, whatever its number of facets). Never smoothed.
+ * into it (an input point counts once, whatever its number of facets). Never smoothed. An input
+ * point whose facets lie in several fans, on both sides of a crease, does not count; a corner that
+ * has no other gets its fan's estimated, unsmoothed normal.
  *
  * @param inputNormals 3 x P values, one per input point, any length: only directions count.
  * @return InvalidInput for a used point without normal or with a non-finite one. A zero mean falls

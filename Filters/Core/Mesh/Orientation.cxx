@@ -9,12 +9,26 @@
  */
 #include "Mesh/Orientation.h"
 
+#include "Support/Grouping.h"
+
 #include <algorithm>
 
 namespace remesh
 {
 namespace
 {
+/** Whether a facet runs along its edge from the lower point to the higher. */
+bool ascends(const std::vector<Triple>& facetPoints, Index facet, int side)
+{
+  return facetPoints[facet][side] < facetPoints[facet][(side + 1) % 3];
+}
+
+int sideOf(const EdgeTable& edges, Index facet, Index edge)
+{
+  const Triple& sides = edges.facetEdges[facet];
+  return sides[0] == edge ? 0 : (sides[1] == edge ? 1 : 2);
+}
+
 class ShellWalker
 {
 public:
@@ -60,8 +74,8 @@ private:
     const Offset begin = m_edges.edgeFacetsBegin[edge];
     const Index left = m_edges.edgeFacets[begin];
     const Index neighbour = left == facet ? m_edges.edgeFacets[begin + 1] : left;
-    const bool sameDirection =
-      this->ascends(facet, side) == this->ascends(neighbour, this->sideOf(neighbour, edge));
+    const bool sameDirection = ascends(m_facetPoints, facet, side) ==
+      ascends(m_facetPoints, neighbour, sideOf(m_edges, neighbour, edge));
     const unsigned char wanted = m_flipped[facet] ^ static_cast<unsigned char>(sameDirection);
     if (m_visited[neighbour])
     {
@@ -71,18 +85,6 @@ private:
     m_flipped[neighbour] = wanted;
     m_shell.push_back(neighbour);
     return true;
-  }
-
-  /** Whether the facet runs along its edge from the lower point to the higher. */
-  bool ascends(Index facet, int side) const
-  {
-    return m_facetPoints[facet][side] < m_facetPoints[facet][(side + 1) % 3];
-  }
-
-  int sideOf(Index facet, Index edge) const
-  {
-    const Triple& edges = m_edges.facetEdges[facet];
-    return edges[0] == edge ? 0 : (edges[1] == edge ? 1 : 2);
   }
 
   const std::vector<Triple>& m_facetPoints;
@@ -105,6 +107,23 @@ bool mostIsFlipped(const std::vector<Index>& shell, const std::vector<unsigned c
   }
   return turned > kept * (1.0 + tie);
 }
+}
+
+bool isOriented(
+  const std::vector<Triple>& facetPoints, const EdgeTable& edges, const RunControl& control)
+{
+  return countItems(edges.numberOfEdges(), control.silent(),
+           [&](Offset k)
+           {
+             const auto edge = static_cast<Index>(k);
+             if (edges.valence(edge) != 2)
+             {
+               return false;
+             }
+             const Index* facets = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+             return ascends(facetPoints, facets[0], sideOf(edges, facets[0], edge)) ==
+               ascends(facetPoints, facets[1], sideOf(edges, facets[1], edge));
+           }) == 0;
 }
 
 Orientation findOrientation(const std::vector<Triple>& facetPoints, const EdgeTable& edges,

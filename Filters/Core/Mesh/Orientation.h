@@ -19,6 +19,15 @@ struct Orientation
 };
 
 /**
+ * Whether all facets agree across the edges of exactly two already: then nothing is to be turned.
+ *
+ * @param control asked for cancellation; false when cancelled.
+ * Cost: O(F), in parallel.
+ */
+bool isOriented(const std::vector<Triple>& facetPoints, const EdgeTable& edges,
+  const RunControl& control = RunControl());
+
+/**
  * Makes the facets of each shell agree across their common edges. A shell is what one reaches
  * through edges of exactly two facets; edges of more facets separate shells.
  *

@@ -3,14 +3,14 @@
  */
 #include "Mesh/SpatialOrder.h"
 
+#include "Support/Grouping.h"
 #include "Support/Hilbert.h"
 #include "Support/KeyOrder.h"
 
-#include <algorithm>
-
 namespace remesh
 {
-std::vector<Index> orderAlongHilbertCurve(const std::vector<Point3>& points)
+std::vector<Index> orderAlongHilbertCurve(
+  const std::vector<Point3>& points, const RunControl& control)
 {
   if (points.empty())
   {
@@ -26,8 +26,8 @@ std::vector<Index> orderAlongHilbertCurve(const std::vector<Point3>& points)
   const double extent = (upper - lower).maxCoeff();
   const double inverseExtent = extent > 0.0 ? 1.0 / extent : 0.0;
   std::vector<std::uint64_t> keys(points.size());
-  std::transform(points.begin(), points.end(), keys.begin(),
-    [&](const Point3& point) { return hilbertKey(point, lower, inverseExtent); });
-  return orderByKey(keys);
+  const bool done = forEachItem(static_cast<Offset>(points.size()), control.silent(),
+    [&](Offset k) { keys[k] = hilbertKey(points[k], lower, inverseExtent); });
+  return done ? orderByKey(keys, control) : std::vector<Index>(points.size());
 }
 }

@@ -17,6 +17,7 @@
 #include "Mesh/Weld.h"
 
 #include "Support/DisjointSets.h"
+#include "Support/Grouping.h"
 #include "Support/KeyOrder.h"
 #include "Support/Random.h"
 
@@ -212,21 +213,33 @@ bool joinRow(CellJoiner& joiner, const GridCell& firstOffset, const RunControl& 
 }
 }
 
-std::vector<Index> weldEqualPoints(const std::vector<Point3>& points)
+std::vector<Index> weldEqualPoints(const std::vector<Point3>& points, const RunControl& control)
 {
+  const RunControl silent = control.silent();
+  const auto count = static_cast<Offset>(points.size());
   std::vector<std::uint64_t> hashes(points.size());
-  std::transform(points.begin(), points.end(), hashes.begin(), hashPoint);
-  std::vector<Index> order = orderByKey(hashes);
   std::vector<Index> lowest(points.size());
-  for (std::size_t begin = 0; begin < order.size();)
+  if (!forEachItem(count, silent, [&](Offset k) { hashes[k] = hashPoint(points[k]); }))
   {
-    std::size_t end = begin + 1;
-    while (end < order.size() && hashes[order[end]] == hashes[order[begin]])
-    {
-      ++end;
-    }
-    weldRun(points, order.begin() + begin, order.begin() + end, lowest);
-    begin = end;
+    return lowest;
+  }
+  std::vector<Index> order = orderByKey(hashes, silent);
+  const auto opensRun = [&](Offset k)
+  { return k == 0 || hashes[order[k]] != hashes[order[k - 1]]; };
+  std::vector<Offset> runs;
+  if (!packItems(
+        count, silent, opensRun,
+        [&](Offset size)
+        {
+          runs.resize(static_cast<std::size_t>(size) + 1);
+          runs.back() = count;
+        },
+        [&](Offset k, Offset number) { runs[number] = k; }) ||
+    !forEachItem(static_cast<Offset>(runs.size()) - 1, silent,
+      [&](Offset run)
+      { weldRun(points, order.begin() + runs[run], order.begin() + runs[run + 1], lowest); }))
+  {
+    return std::vector<Index>(points.size());
   }
   return lowest;
 }
@@ -234,7 +247,7 @@ std::vector<Index> weldEqualPoints(const std::vector<Point3>& points)
 std::vector<Index> weldNearPoints(
   const std::vector<Point3>& points, double distance, const RunControl& control)
 {
-  std::vector<Index> lowest = weldEqualPoints(points);
+  std::vector<Index> lowest = weldEqualPoints(points, control);
   std::vector<Index> distinct;
   std::vector<Point3> distinctPoints;
   for (std::size_t i = 0; i < points.size(); ++i)

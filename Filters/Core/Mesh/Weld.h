@@ -16,9 +16,11 @@ namespace remesh
  * For each point the lowest point with the same coordinates (-0 equals +0).
  *
  * @param points P finite points of R^3, P <= maximumIndex.
- * Cost: O(P) but for points that share a hash (at worst O(P log P)). Deterministic.
+ * @param control asked for cancellation; the result of a cancelled run is of no use.
+ * Cost: O(P) but for points that share a hash (at worst O(P log P)), in parallel. Deterministic.
  */
-std::vector<Index> weldEqualPoints(const std::vector<Point3>& points);
+std::vector<Index> weldEqualPoints(
+  const std::vector<Point3>& points, const RunControl& control = RunControl());
 
 /**
  * For each point the lowest point of its cluster. Points nearer than `distance` are in one cluster,

@@ -2,7 +2,7 @@
  * @file BlockedVectors.h
  * @brief Parallel vector arithmetic whose sums do not depend on the threads.
  *
- * Dot products are summed within fixed blocks, and the blocks in their order.
+ * Dot products are summed within fixed blocks, in a fixed order, and the blocks in theirs.
  */
 #ifndef remesh_BlockedVectors_h
 #define remesh_BlockedVectors_h
@@ -45,12 +45,22 @@ public:
     m_complete &= forEachBlock(m_blocks.count(), m_control,
       [&](Offset block)
       {
-        double sum = 0.0;
-        for (Offset k = m_blocks.begin(block); k < m_blocks.end(block); ++k)
+        // Several chains of sums, so that the processor need not wait for each addition.
+        double sums[chains] = {};
+        Offset k = m_blocks.begin(block);
+        for (; k + chains <= m_blocks.end(block); k += chains)
         {
-          sum += term(static_cast<std::size_t>(k));
+          for (Offset c = 0; c < chains; ++c)
+          {
+            sums[c] += term(static_cast<std::size_t>(k + c));
+          }
         }
-        partial[block] = sum;
+        for (; k < m_blocks.end(block); ++k)
+        {
+          sums[0] += term(static_cast<std::size_t>(k));
+        }
+        partial[block] =
+          ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
       });
     double total = 0.0;
     for (const double value : partial)
@@ -64,6 +74,8 @@ public:
   bool complete() const { return m_complete; }
 
 private:
+  static constexpr Offset chains = 8;
+
   Blocks m_blocks;
   RunControl m_control;
   mutable bool m_complete = true;

@@ -1,5 +1,6 @@
 #include "Optimization/EmptyCells.h"
 
+#include "Optimization/FixedSites.h"
 #include "Optimization/Sampling.h"
 #include "Support/Random.h"
 
@@ -42,7 +43,8 @@ Status integrateAndFill(RestrictedVoronoi& voronoi, const EmbeddedSurface& surfa
     {
       return status;
     }
-    emptyCells = sums.countEmpty();
+    holdFixedSites(sites, sums);
+    emptyCells = countEmptyFree(sites, sums);
     if (emptyCells == 0 || round == mostRounds)
     {
       return Status::success();
@@ -55,7 +57,7 @@ Status integrateAndFill(RestrictedVoronoi& voronoi, const EmbeddedSurface& surfa
     const FacetSampler sampler(surface, weights);
     const std::uint64_t stream =
       firstStream + 3 * static_cast<std::uint64_t>(voronoi.evaluations());
-    for (Index i = 0; i < sites.count(); ++i)
+    for (Index i = sites.fixed; i < sites.count(); ++i)
     {
       if (sums.isEmpty(i))
       {

@@ -14,6 +14,7 @@ namespace remesh
 /**
  * Integrates; while there are sites without mass, draws new places for them, with a probability
  * proportional to the cells' energy density, and integrates again. The energy only falls.
+ * Fixed sites stay, and are left out of moment and gradient.
  *
  * @param emptyCells sites still without mass after the last of several rounds (0 but for surfaces
  *        that cannot hold so many).

@@ -2,6 +2,7 @@
 
 #include "Optimization/BlockedVectors.h"
 #include "Optimization/EmptyCells.h"
+#include "Optimization/FixedSites.h"
 
 #include <algorithm>
 #include <deque>
@@ -150,6 +151,7 @@ Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& su
 {
   const double slope = slopeAlong(sums, direction, vectors);
   trial.sites.dimension = sites.dimension;
+  trial.sites.fixed = sites.fixed;
   trial.sites.coordinates.resize(sites.coordinates.size());
   trial.length = 1.0;
   trial.accepted = false;
@@ -167,6 +169,7 @@ Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& su
     {
       return status;
     }
+    holdFixedSites(trial.sites, trial.sums);
     const double rise = trial.sums.totalEnergy - sums.totalEnergy;
     if (rise <= sufficientDecrease * trial.length * slope)
     {
@@ -179,12 +182,26 @@ Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& su
 }
 }
 
+int historyWithin(const EmbeddedSurface& surface, Offset numberOfSites, int wanted)
+{
+  constexpr double largePair = 0x1p24; // bytes
+  constexpr double share = 1.0 / 12.0;
+  const double d = surface.dimension;
+  const double pair = 2.0 * sizeof(float) * static_cast<double>(numberOfSites) * d;
+  if (surface.dimension < manyDimensions || pair <= largePair)
+  {
+    return wanted;
+  }
+  const double embedding = sizeof(double) * d * static_cast<double>(surface.numberOfCorners());
+  return std::min(wanted, std::max(3, static_cast<int>(share * embedding / pair)));
+}
+
 Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface,
   const QuasiNewtonOptions& options, std::uint64_t seed, const RunControl& control, Sites& sites,
   CellSums& sums, Convergence& convergence, Index& emptyCells)
 {
   const BlockedVectors vectors(sites.coordinates.size(), control);
-  InverseHessian hessian(options.historyLength, vectors);
+  InverseHessian hessian(historyWithin(surface, sites.count(), options.historyLength), vectors);
   const double gradientBound = options.gradientTolerance * convergence.rows.front().gradientNorm;
   std::vector<double> direction;
   Trial trial;
@@ -207,7 +224,7 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
       break; // rounding is all that is left to gain
     }
     hessian.update(direction, trial.length, sums.moment, trial.sums.moment);
-    if (trial.sums.countEmpty() > 0)
+    if (countEmptyFree(trial.sites, trial.sums) > 0)
     {
       hessian.clear();
       if (Status status = integrateAndFill(

@@ -30,6 +30,12 @@ struct QuasiNewtonOptions
 };
 
 /**
+ * The pairs that a run keeps of those wanted. Where a pair takes more than 16 MB and there are many
+ * dimensions, as many as fit into a twelfth of the embedding's own memory, but at least 3.
+ */
+int historyWithin(const EmbeddedSurface& surface, Offset numberOfSites, int wanted);
+
+/**
  * Minimises from `sites`, whose integrals are `sums`; both belong to the best sites on return, and
  * `convergence`, which has at least its first row, gets one more for each step. A site that loses
  * its cell is moved, and the history forgotten.

@@ -1,8 +1,11 @@
 #include "Optimization/Sampling.h"
 
+#include "Embedding/CornerReader.h"
+#include "Support/Grouping.h"
 #include "Support/Random.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace remesh
 {
@@ -53,6 +56,13 @@ FacetSampler::FacetSampler(const EmbeddedSurface& surface, const std::vector<dou
   }
 }
 
+FacetSampler::FacetSampler(
+  const EmbeddedSurface& surface, const std::vector<double>& weights, std::vector<Index> facets)
+  : FacetSampler(surface, weights)
+{
+  m_facets = std::move(facets);
+}
+
 Index FacetSampler::find(double along, double& inside) const
 {
   const double target = along * m_running.back();
@@ -64,16 +74,17 @@ Index FacetSampler::find(double along, double& inside) const
   }
   const double before = found == m_running.begin() ? 0.0 : *(found - 1);
   inside = std::clamp((target - before) / (*found - before), 0.0, 0x1.fffffffffffffp-1);
-  return static_cast<Index>(found - m_running.begin());
+  const auto place = found - m_running.begin();
+  return m_facets.empty() ? static_cast<Index>(place) : m_facets[place];
 }
 
 void FacetSampler::interpolate(Index facet, const double b[3], double* point) const
 {
-  const Triple& corners = m_surface.facetCorners[facet];
+  CornerReader<Eigen::Dynamic> reader(m_surface);
+  const auto corners = reader.facet(facet);
   for (int k = 0; k < m_surface.dimension; ++k)
   {
-    point[k] = b[0] * m_surface.corner(corners[0])[k] + b[1] * m_surface.corner(corners[1])[k] +
-      b[2] * m_surface.corner(corners[2])[k];
+    point[k] = b[0] * corners[0][k] + b[1] * corners[1][k] + b[2] * corners[2][k];
   }
 }
 
@@ -99,46 +110,78 @@ void FacetSampler::drawOnCurve(double along, double* point) const
   this->interpolate(facet, b, point);
 }
 
-Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, SamplingMethod method,
-  std::uint64_t seed, Sites& sites)
+namespace
 {
-  if (numberOfSites < 1 || numberOfSites > maximumIndex)
+/** Fills the sites from `first` on. */
+Status fillSites(const FacetSampler& sampler, SamplingMethod method, std::uint64_t seed,
+  Index first, Sites& sites, const RunControl& control)
+{
+  const Offset count = sites.count() - first;
+  if (method == SamplingMethod::Stratified)
   {
-    return Status::invalid("The number of points must be 1 to " + std::to_string(maximumIndex) +
-      ", not " + std::to_string(numberOfSites) + ".");
+    return forEachItem(count, control,
+             [&](Offset i)
+             {
+               const double along = (static_cast<double>(i) + uniform01(seed, first + i, Along)) /
+                 static_cast<double>(count);
+               sampler.drawOnCurve(along, sites.site(static_cast<Index>(first + i)));
+             })
+      ? Status::success()
+      : Status::cancelled();
+  }
+  std::vector<double> along(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < along.size(); ++i)
+  {
+    along[i] = uniform01(seed, first + i, Along);
+  }
+  std::sort(along.begin(), along.end());
+  return forEachItem(count, control,
+           [&](Offset i)
+           {
+             sampler.draw(along[i], uniform01(seed, first + i, WithinU),
+               uniform01(seed, first + i, WithinV), sites.site(static_cast<Index>(first + i)));
+           })
+    ? Status::success()
+    : Status::cancelled();
+}
+}
+
+Status checkNumberOfSites(Offset numberOfSites)
+{
+  return numberOfSites < 1 || numberOfSites > maximumIndex
+    ? Status::invalid("The number of points must be 1 to " + std::to_string(maximumIndex) +
+        ", not " + std::to_string(numberOfSites) + ".")
+    : Status::success();
+}
+
+Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, SamplingMethod method,
+  std::uint64_t seed, Sites& sites, const RunControl& control)
+{
+  if (Status status = checkNumberOfSites(numberOfSites); !status.ok())
+  {
+    return status;
   }
   std::vector<double> weights(surface.constants.size());
   std::transform(surface.constants.begin(), surface.constants.end(), weights.begin(),
     [](const FacetConstants& facet) { return facet.mass; });
   const FacetSampler sampler(surface, weights);
+  sites = Sites{};
   sites.dimension = surface.dimension;
   sites.coordinates.resize(
     static_cast<std::size_t>(numberOfSites) * static_cast<std::size_t>(surface.dimension));
+  return fillSites(sampler, method, seed, 0, sites, control);
+}
 
-  const auto n = static_cast<std::size_t>(numberOfSites);
-  std::vector<double> along(n);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    along[i] = uniform01(seed, i, Along);
-    if (method == SamplingMethod::Stratified)
-    {
-      along[i] = (static_cast<double>(i) + along[i]) / static_cast<double>(n);
-    }
-  }
-  if (method == SamplingMethod::Stratified)
-  {
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      sampler.drawOnCurve(along[i], sites.site(static_cast<Index>(i)));
-    }
-    return Status::success();
-  }
-  std::sort(along.begin(), along.end());
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    sampler.draw(along[i], uniform01(seed, i, WithinU), uniform01(seed, i, WithinV),
-      sites.site(static_cast<Index>(i)));
-  }
-  return Status::success();
+Status drawSites(const EmbeddedSurface& surface, const std::vector<Index>& facets, Offset count,
+  SamplingMethod method, std::uint64_t seed, Sites& sites, const RunControl& control)
+{
+  std::vector<double> weights(facets.size());
+  std::transform(facets.begin(), facets.end(), weights.begin(),
+    [&](Index facet) { return surface.constants[facet].mass; });
+  const FacetSampler sampler(surface, weights, facets);
+  const Index first = sites.count();
+  sites.coordinates.resize(sites.coordinates.size() +
+    static_cast<std::size_t>(count) * static_cast<std::size_t>(surface.dimension));
+  return fillSites(sampler, method, seed, first, sites, control);
 }
 }

@@ -6,6 +6,7 @@
 #define remesh_Sampling_h
 
 #include "Embedding/EmbeddedSurface.h"
+#include "Support/RunControl.h"
 #include "Support/Status.h"
 
 #include <cstdint>
@@ -18,6 +19,9 @@ enum class SamplingMethod
   Stratified ///< one site in each of n strata of equal area along a space-filling curve
 };
 
+/** InvalidInput for n < 1 or more sites than an Index holds. */
+Status checkNumberOfSites(Offset numberOfSites);
+
 /**
  * Draws n sites, each uniformly distributed over the surface's area in R^d.
  *
@@ -26,12 +30,20 @@ enum class SamplingMethod
  * Stratified: the i-th number is drawn from [i, i + 1) / n, and its place within the facet's share
  * is mapped to the facet along a Sierpinski curve, which keeps area.
  *
- * Sites come out in the order of the facets. Deterministic in (seed, n, surface). O(F + n log n).
+ * Sites come out in the order of the facets. Deterministic in (seed, n, surface). O(F + n log n),
+ * in parallel but for the running area.
  *
  * @return InvalidInput for n < 1 or more sites than an Index holds.
  */
 Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, SamplingMethod method,
-  std::uint64_t seed, Sites& sites);
+  std::uint64_t seed, Sites& sites, const RunControl& control = RunControl());
+
+/**
+ * Draws so many further sites in the same way from some facets of the surface, by their area.
+ * The random numbers are those of the sites' ids. O(facets + n log n).
+ */
+Status drawSites(const EmbeddedSurface& surface, const std::vector<Index>& facets, Offset count,
+  SamplingMethod method, std::uint64_t seed, Sites& sites, const RunControl& control);
 
 /** Draws points with a probability proportional to a weight per facet, uniform within a facet. */
 class FacetSampler
@@ -39,6 +51,10 @@ class FacetSampler
 public:
   /** @param weights F values >= 0, not all 0. */
   FacetSampler(const EmbeddedSurface& surface, const std::vector<double>& weights);
+
+  /** @param facets those to draw from, in the order along which numbers are mapped to them. */
+  FacetSampler(
+    const EmbeddedSurface& surface, const std::vector<double>& weights, std::vector<Index> facets);
 
   /** The point (d) for three numbers of [0, 1): where among the facets, and where within one. */
   void draw(double along, double u, double v, double* point) const;
@@ -52,7 +68,8 @@ private:
   void interpolate(Index facet, const double b[3], double* point) const;
 
   const EmbeddedSurface& m_surface;
-  std::vector<double> m_running; ///< F, running sums of the weights
+  std::vector<double> m_running; ///< running sums of the weights
+  std::vector<Index> m_facets;   ///< what the sums stand for; empty: all facets
 };
 }
 

@@ -2,56 +2,81 @@
  * @file DisjointSets.h
  * @brief Sets of items that only ever merge; the lowest item stands for its set.
  *
- * Union by lowest item with path halving (R. Tarjan, J. van Leeuwen, 1984). The sets and their
- * representatives do not depend on the order of the unions.
+ * Union by lowest item with path halving (R. Tarjan, J. van Leeuwen, 1984). Threads may find and
+ * unite at the same time: a root is made the child of a lower one by one compare-and-exchange,
+ * tried again when another thread was faster. The sets and their representatives do not depend on
+ * the order of the unions.
  */
 #ifndef remesh_DisjointSets_h
 #define remesh_DisjointSets_h
 
 #include "Support/Types.h"
 
-#include <numeric>
+#include <atomic>
+#include <utility>
 #include <vector>
 
 namespace remesh
 {
-struct DisjointSets
+class DisjointSets
 {
-  std::vector<Index> parent; ///< never above the item itself
-
+public:
   explicit DisjointSets(std::size_t size)
-    : parent(size)
+    : m_parents(size)
   {
-    std::iota(this->parent.begin(), this->parent.end(), Index(0));
+    Index item = 0;
+    for (std::atomic<Index>& parent : m_parents)
+    {
+      parent.store(item++, std::memory_order_relaxed);
+    }
   }
 
+  /** The lowest item of the set, unless another thread is uniting sets: then one of its items. */
   Index find(Index item)
   {
-    while (this->parent[item] != item)
+    Index parent = m_parents[item].load(std::memory_order_relaxed);
+    while (parent != item)
     {
-      this->parent[item] = this->parent[this->parent[item]];
-      item = this->parent[item];
+      const Index above = m_parents[parent].load(std::memory_order_relaxed);
+      if (above != parent) // which only ever shortens the way to the root
+      {
+        m_parents[item].compare_exchange_weak(parent, above, std::memory_order_relaxed);
+      }
+      item = above;
+      parent = m_parents[item].load(std::memory_order_relaxed);
     }
     return item;
   }
 
   void unite(Index a, Index b)
   {
-    a = this->find(a);
-    b = this->find(b);
-    this->parent[std::max(a, b)] = std::min(a, b);
+    for (;;)
+    {
+      a = this->find(a);
+      b = this->find(b);
+      if (a == b)
+      {
+        return;
+      }
+      if (a < b)
+      {
+        std::swap(a, b);
+      }
+      Index root = a;
+      if (m_parents[a].compare_exchange_strong(root, b, std::memory_order_relaxed))
+      {
+        return;
+      }
+    }
   }
 
-  /** The number of sets. */
-  Index count() const
+  bool isLowest(Index item) const
   {
-    Index roots = 0;
-    for (std::size_t i = 0; i < this->parent.size(); ++i)
-    {
-      roots += this->parent[i] == static_cast<Index>(i);
-    }
-    return roots;
+    return m_parents[item].load(std::memory_order_relaxed) == item;
   }
+
+private:
+  std::vector<std::atomic<Index>> m_parents; ///< never above the item itself
 };
 }
 

@@ -1,12 +1,15 @@
 /**
  * @file KeyOrder.cxx
- * @brief Least-significant-digit radix sort of (key, item) pairs.
+ * @brief Least-significant-digit radix sort of (key, item) pairs, in blocks.
  *
- * 1. One pass counts all digits of all keys.
- * 2. For each digit, from the lowest: scan its counts to offsets, and move the pairs.
+ * 1. Find the digits in which keys differ.
+ * 2. For each of them, from the lowest: count its values in each block, scan the counts value by
+ *    value and block by block, and move the pairs.
  * 3. Take the items off the pairs.
  */
 #include "Support/KeyOrder.h"
+
+#include "Support/Grouping.h"
 
 namespace remesh
 {
@@ -22,71 +25,70 @@ struct KeyedItem
   Index item;
 };
 
-using Histogram = std::array<std::size_t, radix>;
-
 std::size_t digitOf(std::uint64_t key, int digit)
 {
   return static_cast<std::size_t>(key >> (digit * digitBits)) & (radix - 1);
 }
 
-std::vector<Histogram> countDigits(const std::vector<std::uint64_t>& keys)
+/** Bits in which a key differs from the first. */
+std::uint64_t differingBits(const std::vector<std::uint64_t>& keys)
 {
-  std::vector<Histogram> counts(numberOfDigits, Histogram{});
+  std::uint64_t bits = 0;
   for (const std::uint64_t key : keys)
   {
-    for (int digit = 0; digit < numberOfDigits; ++digit)
-    {
-      ++counts[digit][digitOf(key, digit)];
-    }
+    bits |= key ^ keys.front();
   }
-  return counts;
+  return bits;
 }
 
-void scan(Histogram& counts)
+/** One pass of the sort; false when cancelled. */
+bool moveByDigit(const std::vector<KeyedItem>& items, int digit, const RunControl& control,
+  std::vector<KeyedItem>& moved)
 {
-  std::size_t total = 0;
-  for (std::size_t& count : counts)
+  const Blocks blocks = longBlocks(static_cast<Offset>(items.size()));
+  std::vector<Offset> places(radix * static_cast<std::size_t>(blocks.count()), 0);
+  const auto forEachPlace = [&](Offset block, const auto& visit)
   {
-    const std::size_t begin = total;
-    total += count;
-    count = begin;
+    Offset* blockPlaces = places.data() + static_cast<std::size_t>(block) * radix;
+    for (Offset k = blocks.begin(block); k < blocks.end(block); ++k)
+    {
+      visit(blockPlaces[digitOf(items[k].key, digit)], items[k]);
+    }
+  };
+  if (!forEachBlock(blocks.count(), control,
+        [&](Offset block)
+        { forEachPlace(block, [](Offset& place, const KeyedItem&) { ++place; }); }))
+  {
+    return false;
   }
+  scanAcrossBlocks(places, radix);
+  return forEachBlock(blocks.count(), control,
+    [&](Offset block)
+    { forEachPlace(block, [&](Offset& place, const KeyedItem& item) { moved[place++] = item; }); });
 }
 }
 
-std::vector<Index> orderByKey(const std::vector<std::uint64_t>& keys)
+std::vector<Index> orderByKey(const std::vector<std::uint64_t>& keys, const RunControl& control)
 {
-  const std::size_t size = keys.size();
-  std::vector<Index> order(size);
-  if (size == 0)
+  const RunControl silent = control.silent();
+  const auto size = static_cast<Offset>(keys.size());
+  std::vector<Index> order(keys.size());
+  std::vector<KeyedItem> items(keys.size());
+  std::vector<KeyedItem> moved(keys.size());
+  bool done = forEachItem(size, silent,
+    [&](Offset k) {
+      items[k] = { keys[k], static_cast<Index>(k) };
+    });
+  const std::uint64_t differing = differingBits(keys);
+  for (int digit = 0; done && digit < numberOfDigits; ++digit)
   {
-    return order;
-  }
-  std::vector<KeyedItem> items(size);
-  std::vector<KeyedItem> moved(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    items[i] = { keys[i], static_cast<Index>(i) };
-  }
-  std::vector<Histogram> counts = countDigits(keys);
-  for (int digit = 0; digit < numberOfDigits; ++digit)
-  {
-    Histogram& offsets = counts[digit];
-    if (offsets[digitOf(keys[0], digit)] == size)
+    if (digitOf(differing, digit) != 0)
     {
-      continue;
+      done = moveByDigit(items, digit, silent, moved);
+      items.swap(moved);
     }
-    scan(offsets);
-    for (const KeyedItem& item : items)
-    {
-      moved[offsets[digitOf(item.key, digit)]++] = item;
-    }
-    items.swap(moved);
   }
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    order[i] = items[i].item;
-  }
+  done = done && forEachItem(size, silent, [&](Offset k) { order[k] = items[k].item; });
   return order;
 }
 }

@@ -3,6 +3,7 @@
 #include "Support/Parallel.h"
 
 #include <cmath>
+#include <utility>
 
 namespace remesh
 {
@@ -54,8 +55,10 @@ template <int D>
 BlockAccumulator<D>::BlockAccumulator(const EmbeddedSurface& surface, const Sites& sites)
   : m_surface(surface)
   , m_sites(sites)
+  , m_corners(surface)
   , m_slotOfSite(static_cast<std::size_t>(sites.count()))
   , m_blockOfSlot(static_cast<std::size_t>(sites.count()), 0)
+  , m_gathers(D == Eigen::Dynamic && surface.dimension >= manyDimensions)
 {
 }
 
@@ -63,6 +66,8 @@ template <int D>
 void BlockAccumulator<D>::begin(BlockSums& sums)
 {
   m_sums = &sums;
+  m_sums->sites.clear();
+  m_sums->values.clear();
   ++m_block;
 }
 
@@ -89,10 +94,16 @@ void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piec
   values[0] += piece.fraction * constants.mass;
   values[1] += piece.fraction * constants.area;
   values[2] += piece.energy;
-  const Triple& corners = m_surface.facetCorners[facet];
-  const double* p0 = m_surface.corner(corners[0]);
-  const double* p1 = m_surface.corner(corners[1]);
-  const double* p2 = m_surface.corner(corners[2]);
+  if (m_gathers)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      m_weights.push_back({ m_surface.facetCorners[facet][k], m_slotOfSite[site],
+        piece.weights[k] * constants.mass });
+    }
+    return;
+  }
+  const auto [p0, p1, p2] = m_corners.facet(facet);
   const double* x = m_sites.site(site);
   const double w0 = piece.weights[0] * constants.mass;
   const double w1 = piece.weights[1] * constants.mass;
@@ -109,10 +120,7 @@ void BlockAccumulator<D>::addWholeFacet(Index facet, Index site)
 {
   const int d = this->dimension();
   const FacetConstants& constants = m_surface.constants[facet];
-  const Triple& corners = m_surface.facetCorners[facet];
-  const double* p0 = m_surface.corner(corners[0]);
-  const double* p1 = m_surface.corner(corners[1]);
-  const double* p2 = m_surface.corner(corners[2]);
+  const auto [p0, p1, p2] = m_corners.facet(facet);
   const double* x = m_sites.site(site);
   double* values = this->valuesOf(site);
   double* moment = values + scalars;
@@ -127,6 +135,33 @@ void BlockAccumulator<D>::addWholeFacet(Index facet, Index site)
   values[0] += constants.mass;
   values[1] += constants.area;
   values[2] += constants.mass * (squared + (e[0] + e[1] + e[2]) / 36.0);
+}
+
+template <int D>
+void BlockAccumulator<D>::finish()
+{
+  const auto place = [](const CornerWeight& w) { return std::make_pair(w.corner, w.slot); };
+  // Stable: equal places are summed in the order of the facets.
+  std::stable_sort(m_weights.begin(), m_weights.end(),
+    [&](const CornerWeight& a, const CornerWeight& b) { return place(a) < place(b); });
+  for (auto next = m_weights.begin(); next != m_weights.end();)
+  {
+    const CornerWeight& first = *next;
+    double weight = 0.0;
+    for (; next != m_weights.end() && place(*next) == place(first); ++next)
+    {
+      weight += next->weight;
+    }
+    const Index site = m_sums->sites[first.slot];
+    const double* p = m_corners.corner(first.corner);
+    const double* x = m_sites.site(site);
+    double* moment = this->valuesOf(site) + scalars;
+    for (int k = 0; k < this->dimension(); ++k)
+    {
+      moment[k] += weight * (p[k] - x[k]);
+    }
+  }
+  m_weights.clear();
 }
 
 template class BlockAccumulator<3>;

@@ -8,7 +8,7 @@
 #ifndef remesh_CellSums_h
 #define remesh_CellSums_h
 
-#include "Embedding/EmbeddedSurface.h"
+#include "Embedding/CornerReader.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/PieceIntegral.h"
@@ -55,16 +55,33 @@ public:
   /** The whole facet, in one cell: its centroid and second moment say all. */
   void addWholeFacet(Index facet, Index site);
 
+  /** Ends the block. */
+  void finish();
+
 private:
+  /**
+   * What a corner contributes to a moment. In many dimensions, adding d numbers for each piece is
+   * most of the work: so the weights are summed, and each corner's row is read once in a block.
+   */
+  struct CornerWeight
+  {
+    Index corner;
+    Index slot;
+    double weight;
+  };
+
   int dimension() const { return D == Eigen::Dynamic ? m_surface.dimension : D; }
   double* valuesOf(Index site);
 
   const EmbeddedSurface& m_surface;
   const Sites& m_sites;
+  CornerReader<D> m_corners;
   BlockSums* m_sums = nullptr;
   std::vector<Index> m_slotOfSite;  ///< n, valid where m_blockOfSlot is this block
   std::vector<Index> m_blockOfSlot; ///< n
   Index m_block = 0;                ///< counts the calls of begin()
+  bool m_gathers;                   ///< whether moments wait for finish()
+  std::vector<CornerWeight> m_weights;
 };
 
 extern template class BlockAccumulator<3>;

@@ -11,19 +11,13 @@
 
 namespace remesh
 {
-/** A vertex of a piece and the edge that starts there (counter-clockwise in the facet). */
-struct DiagramVertex
-{
-  double b[3];  ///< barycentric coordinates in the facet
-  Index across; ///< site beyond the edge, or -1 - k where the edge lies on the facet's edge k
-};
-
 /**
- * Pieces ordered by facet, then by site. Every facet has at least one piece.
+ * Pieces ordered by facet, then by site. Every facet has at least one piece. The vertices of a
+ * piece go counter-clockwise in its facet; where they lie follows from the sites around them
+ * (VertexPlaces), and is not stored: at a million sites it would be the larger part of a run's
+ * memory.
  *
- * Invariants: around a point where three pieces of a facet meet, and along the facet's edges, the
- * vertices are bitwise equal in all pieces and facets that share them; the combinatorics is that
- * of the perturbed diagram, in which no four cells meet.
+ * Invariant: the combinatorics is that of the perturbed diagram, in which no four cells meet.
  */
 struct Diagram
 {
@@ -31,10 +25,19 @@ struct Diagram
   std::vector<Index> sites;             ///< P
   std::vector<Index> facets;            ///< P
   std::vector<PieceIntegral> integrals; ///< P
-  std::vector<Offset> vertexBegin;      ///< P + 1, into `vertices`
-  std::vector<DiagramVertex> vertices;
+  std::vector<Offset> vertexBegin;      ///< P + 1, into the vertices
+  /** V, site beyond the edge that starts at a vertex, or -1 - k on the facet's edge k. */
+  std::vector<Index> across;
 
   Offset numberOfPieces() const { return static_cast<Offset>(this->sites.size()); }
+  Offset numberOfVertices() const { return static_cast<Offset>(this->across.size()); }
+
+  /** As `across`, for the edge that ends at a vertex of a piece. */
+  Index acrossIncoming(Offset piece, Offset vertex) const
+  {
+    const bool first = vertex == this->vertexBegin[piece];
+    return this->across[(first ? this->vertexBegin[piece + 1] : vertex) - 1];
+  }
 
   /** The piece of `site` in `facet`, or -1. O(log) of the facet's pieces. */
   Offset pieceOf(Index facet, Index site) const

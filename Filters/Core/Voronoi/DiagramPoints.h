@@ -6,8 +6,9 @@
 #define remesh_DiagramPoints_h
 
 #include "Mesh/EdgeTable.h"
+#include "Support/RunControl.h"
 #include "Support/Status.h"
-#include "Voronoi/Diagram.h"
+#include "Voronoi/VertexPlaces.h"
 
 namespace remesh
 {
@@ -25,10 +26,15 @@ struct DiagramPoints
 
 /**
  * A corner of the surface is one point; so is a crossing of two cells on an edge (told by edge and
- * sites), and a meeting of three in a facet. O(V log V) for V vertices.
+ * sites), and a meeting of three in a facet. Within an edge or a facet, points are ordered by their
+ * sites.
+ *
+ * @param control asked for cancellation; nothing is reported.
+ * @return Cancelled; then `points` are of no use.
+ * Cost: O(V) for V vertices but for those of one place, which are sorted; in parallel.
  */
-DiagramPoints numberDiagramPoints(
-  const SurfaceMesh& mesh, const EdgeTable& edges, const Diagram& diagram);
+Status numberDiagramPoints(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const VertexPlaces& places, const RunControl& control, DiagramPoints& points);
 }
 
 #endif

@@ -62,6 +62,17 @@ public:
   /** -1, 0 or 1: the sign of the largest term. */
   int sign() const { return m_size == 0 ? 0 : (m_terms[m_size - 1] > 0.0 ? 1 : -1); }
 
+  /** The value, rounded: within two units of its last place. */
+  double estimate() const
+  {
+    double sum = 0.0;
+    for (int k = 0; k < m_size; ++k)
+    {
+      sum += m_terms[k];
+    }
+    return sum;
+  }
+
 private:
   // 24 triple products of four terms each are the longest sum; each add makes at most one more.
   std::array<double, 104> m_terms;

@@ -22,6 +22,7 @@ FacetDecomposition<D>::FacetDecomposition(const EmbeddedSurface& surface, const 
   , m_sites(sites)
   , m_lists(lists)
   , m_owners(owners)
+  , m_corners(surface)
   , m_security(surface.dimension)
   , m_slotOfSite(static_cast<std::size_t>(sites.count()))
   , m_cutOfSlot(static_cast<std::size_t>(sites.count()), 0)
@@ -30,23 +31,22 @@ FacetDecomposition<D>::FacetDecomposition(const EmbeddedSurface& surface, const 
 }
 
 template <int D>
-FacetSite FacetDecomposition<D>::see(Index facet, Index site) const
+FacetSite FacetDecomposition<D>::see(Index site) const
 {
   FacetSite seen;
   seen.id = site;
   const double* x = m_sites.site(site);
   for (int k = 0; k < 3; ++k)
   {
-    const double* corner = m_surface.corner(m_surface.facetCorners[facet][k]);
-    seen.h[k] = squaredDistance<D>(x, corner, m_surface.dimension);
+    seen.h[k] = squaredDistance<D>(x, m_points[k], m_surface.dimension);
   }
   return seen;
 }
 
 template <int D>
-int FacetDecomposition<D>::slotOf(Index facet, Index site)
+int FacetDecomposition<D>::slotOf(Index site)
 {
-  return m_cutOfSlot[site] == m_cut ? m_slotOfSite[site] : this->addSlot(this->see(facet, site));
+  return m_cutOfSlot[site] == m_cut ? m_slotOfSite[site] : this->addSlot(this->see(site));
 }
 
 template <int D>
@@ -59,13 +59,13 @@ int FacetDecomposition<D>::addSlot(const FacetSite& seen)
 }
 
 template <int D>
-bool FacetDecomposition<D>::addCandidate(Index facet, Index site)
+bool FacetDecomposition<D>::addCandidate(Index site)
 {
   if (m_cutOfSlot[site] == m_cut)
   {
     return true; // an owner
   }
-  const FacetSite seen = this->see(facet, site);
+  const FacetSite seen = this->see(site);
   for (std::size_t owner = 0; owner < m_used; ++owner)
   {
     if (!beatsSomewhere(seen, m_tiling.site(static_cast<int>(owner))))
@@ -96,17 +96,14 @@ template <int D>
 bool FacetDecomposition<D>::gatherCandidates(Index facet)
 {
   const int d = m_surface.dimension;
-  const Triple& corners = m_surface.facetCorners[facet];
-  const double* p0 = m_surface.corner(corners[0]);
-  const double* p1 = m_surface.corner(corners[1]);
-  const double* p2 = m_surface.corner(corners[2]);
+  const auto [p0, p1, p2] = m_points;
   for (int k = 0; k < d; ++k)
   {
     m_center[k] = (p0[k] + p1[k] + p2[k]) * (1.0 / 3.0);
   }
   Index owner = noIndex;
   double nearest = 0.0;
-  for (const Index corner : corners)
+  for (const Index corner : m_surface.facetCorners[facet])
   {
     const Index site = m_owners[corner];
     const double distance = std::sqrt(squaredDistance<D>(m_sites.site(site), m_center.data(), d));
@@ -117,21 +114,20 @@ bool FacetDecomposition<D>::gatherCandidates(Index facet)
     }
   }
   const double bound = (nearest + 2.0 * m_surface.constants[facet].radius) * aboveRounding;
-  const double reach = (nearest + bound) * aboveRounding + m_lists.approach(owner);
-  const Neighbor* neighbor = m_lists.begin(owner);
-  const Neighbor* end = neighbor + m_lists.length();
+  double farthest = 0.0;
+  const bool complete = m_lists.holds(owner, (nearest + bound) * aboveRounding, farthest);
+  const NeighborList list = m_lists.list(owner);
   const double bound2 = bound * bound;
-  for (; neighbor != end && neighbor->distance <= reach; ++neighbor)
+  for (Index k = 0; k < list.count && list.distances[k] <= farthest; ++k)
   {
-    if (squaredDistance<D>(m_sites.site(neighbor->site), m_center.data(), d) <= bound2)
+    const Index site = list.sites[k];
+    if (squaredDistance<D>(m_sites.site(site), m_center.data(), d) <= bound2 &&
+      !this->addCandidate(site))
     {
-      if (!this->addCandidate(facet, neighbor->site))
-      {
-        return false;
-      }
+      return false;
     }
   }
-  return neighbor != end || m_lists.complete();
+  return complete;
 }
 
 template <int D>
@@ -147,7 +143,7 @@ void FacetDecomposition<D>::clipWithCandidates(FacetPiece& piece)
 }
 
 template <int D>
-void FacetDecomposition<D>::clipWithNeighbors(Index facet, FacetPiece& piece)
+void FacetDecomposition<D>::clipWithNeighbors(FacetPiece& piece)
 {
   const FacetSite site = m_tiling.site(piece.slot);
   const double reach2 = std::max({ site.h[0], site.h[1], site.h[2] });
@@ -162,7 +158,7 @@ void FacetDecomposition<D>::clipWithNeighbors(Index facet, FacetPiece& piece)
     {
       return;
     }
-    if (m_tiling.clip(piece.polygon, piece.slot, this->slotOf(facet, walk.site())))
+    if (m_tiling.clip(piece.polygon, piece.slot, this->slotOf(walk.site())))
     {
       radius = radiusNow();
     }
@@ -173,18 +169,19 @@ template <int D>
 void FacetDecomposition<D>::gather(Index facet)
 {
   m_tiling.begin(m_surface.facetCorners[facet], m_surface.constants[facet]);
+  m_points = m_corners.facet(facet);
   ++m_cut;
   m_queued.clear();
   m_used = 0;
   for (const Index corner : m_surface.facetCorners[facet])
   {
-    this->enqueue(this->slotOf(facet, m_owners[corner]));
+    this->enqueue(this->slotOf(m_owners[corner]));
   }
   m_complete = m_used == 1 || this->gatherCandidates(facet);
 }
 
 template <int D>
-void FacetDecomposition<D>::tile(Index facet)
+void FacetDecomposition<D>::tile()
 {
   for (std::size_t next = 0; next < m_used; ++next)
   {
@@ -199,7 +196,7 @@ void FacetDecomposition<D>::tile(Index facet)
     }
     else
     {
-      this->clipWithNeighbors(facet, piece);
+      this->clipWithNeighbors(piece);
     }
     // `piece` may move when the queue grows.
     for (std::size_t v = 0; v < m_pieces[next].polygon.size(); ++v)

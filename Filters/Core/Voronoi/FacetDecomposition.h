@@ -17,6 +17,7 @@
 #ifndef remesh_FacetDecomposition_h
 #define remesh_FacetDecomposition_h
 
+#include "Embedding/CornerReader.h"
 #include "Voronoi/FacetTiling.h"
 #include "Voronoi/NeighborLists.h"
 #include "Voronoi/SecurityRadius.h"
@@ -41,13 +42,12 @@ public:
   void beginBlock() { m_longer.clear(); }
 
   /**
-   * Steps 1 and 2: the sites that may have a piece. `tile` must follow on the same facet, unless
-   * `twoSites` says that the sums can do without polygons.
+   * Steps 1 and 2: the sites that may have a piece. `tile` must follow on the same facet.
    */
   void gather(Index facet);
 
-  /** Step 3: cuts the facet; the pieces and `tiling` then hold the result until the next facet. */
-  void tile(Index facet);
+  /** Step 3: cuts that facet; the pieces and `tiling` then hold the result until the next facet. */
+  void tile();
 
   /** Whether the facet is shared by just two cells, the owners of its corners. */
   bool twoSites() const { return m_complete && m_used == 2 && m_tiling.numberOfSites() == 2; }
@@ -57,15 +57,14 @@ public:
   const FacetPiece* end() const { return m_pieces.data() + m_used; }
   const FacetTiling& tiling() const { return m_tiling; }
 
-  /** The site's H values on a facet. */
-  FacetSite see(Index facet, Index site) const;
-
 private:
+  /** The site's H values on the facet last gathered for. */
+  FacetSite see(Index site) const;
   bool gatherCandidates(Index facet);
-  bool addCandidate(Index facet, Index site);
+  bool addCandidate(Index site);
   void clipWithCandidates(FacetPiece& piece);
-  void clipWithNeighbors(Index facet, FacetPiece& piece);
-  int slotOf(Index facet, Index site);
+  void clipWithNeighbors(FacetPiece& piece);
+  int slotOf(Index site);
   int addSlot(const FacetSite& seen);
   void enqueue(int slot);
 
@@ -73,6 +72,8 @@ private:
   const Sites& m_sites;
   const NeighborLists& m_lists;
   const std::vector<Index>& m_owners;
+  CornerReader<D> m_corners;
+  std::array<const double*, 3> m_points = {}; ///< of the facet last gathered for
   SecurityRadius m_security;
   LongerLists m_longer;
   FacetTiling m_tiling;

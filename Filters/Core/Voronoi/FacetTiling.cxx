@@ -1,5 +1,7 @@
 #include "Voronoi/FacetTiling.h"
 
+#include "Voronoi/VertexPlaces.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -100,67 +102,15 @@ void FacetTiling::construct(int i, int incoming, int outgoing, double b[3]) cons
 {
   if (incoming < 0)
   {
-    this->constructOnEdge(i, outgoing, -1 - incoming, b);
+    placeOnEdge(m_corners, m_sites[i], m_sites[outgoing], -1 - incoming, b);
   }
   else if (outgoing < 0)
   {
-    this->constructOnEdge(i, incoming, -1 - outgoing, b);
+    placeOnEdge(m_corners, m_sites[i], m_sites[incoming], -1 - outgoing, b);
   }
   else
   {
-    this->constructInside(i, incoming, outgoing, b);
-  }
-}
-
-void FacetTiling::constructOnEdge(int i, int j, int edge, double b[3]) const
-{
-  int k = edge;
-  int l = (edge + 1) % 3;
-  if (m_corners[k] > m_corners[l])
-  {
-    std::swap(k, l);
-  }
-  const FacetSite* lower = &m_sites[i];
-  const FacetSite* upper = &m_sites[j];
-  if (lower->id > upper->id)
-  {
-    std::swap(lower, upper);
-  }
-  const double atK = upper->h[k] - lower->h[k];
-  const double atL = upper->h[l] - lower->h[l];
-  const double t = atK == atL ? 0.5 : std::clamp(atK / (atK - atL), 0.0, 1.0);
-  b[3 - k - l] = 0.0;
-  b[k] = 1.0 - t;
-  b[l] = t;
-}
-
-void FacetTiling::constructInside(int i, int j, int m, double b[3]) const
-{
-  const FacetSite* sites[3] = { &m_sites[i], &m_sites[j], &m_sites[m] };
-  std::sort(sites, sites + 3, [](const FacetSite* x, const FacetSite* y) { return x->id < y->id; });
-  double u[3], v[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    u[k] = sites[1]->h[k] - sites[0]->h[k];
-    v[k] = sites[2]->h[k] - sites[0]->h[k];
-  }
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    b[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-    sum += b[k];
-  }
-  // The point lies in the facet; rounding may put it outside, or lose it where the three bisectors
-  // nearly coincide.
-  double inside = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    b[k] = sum == 0.0 ? 1.0 : std::max(0.0, b[k] / sum);
-    inside += b[k];
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    b[k] /= inside;
+    placeInside(m_sites[i], m_sites[incoming], m_sites[outgoing], b);
   }
 }
 

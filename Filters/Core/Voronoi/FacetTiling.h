@@ -4,8 +4,8 @@
  *
  * [Levy12] Algorithm 2 with the facet's plane as the whole world: a piece starts as the facet and
  * is cut by bisectors (Sutherland-Hodgman). Which vertices a bisector cuts off is decided exactly
- * (Predicates.h); coordinates are only constructed, once for each vertex from its sorted sites, so
- * that all pieces around a vertex, in this facet and in the one across an edge, share it bitwise.
+ * (Predicates.h); coordinates are only constructed, in a way that all pieces around a vertex share
+ * (VertexPlaces.h).
  *
  * Invariant: a piece is convex, counter-clockwise in the facet's orientation, and its
  * combinatorics is that of the perturbed lower envelope.
@@ -54,8 +54,6 @@ public:
 private:
   bool beats(const Polygon& polygon, int vertex, int i, int q) const;
   void construct(int i, int incoming, int outgoing, double b[3]) const;
-  void constructOnEdge(int i, int j, int edge, double b[3]) const;
-  void constructInside(int i, int j, int m, double b[3]) const;
 
   Triple m_corners{};
   FacetConstants m_constants;

@@ -5,23 +5,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace remesh
 {
 namespace
 {
 /** Enough for most cells of a relaxed sampling; the rest is extended. */
-constexpr Index firstLength = 20;
-/** Neighbours whose mean distance tells the spacing of the sites. */
+constexpr Index longestList = 24;
+/** Within a radius that is to fill a list: a few more, so that few lists end early. */
+constexpr double wantedWithin = 27.0;
+/** Fewer found than this, and the nearest are asked for instead. */
+constexpr std::size_t fewestWithin = 16;
+/** More found than this are not put in order. */
+constexpr std::size_t mostOrdered = 64;
+/** Neighbours whose mean distance tells the spacing of the sites around. */
 constexpr Index nearNeighbors = 3;
-/** Lists are built anew when a site has moved by more than this part of the spacing. */
-constexpr double farthestMove = 0.4;
+/** A list is worn when it holds the sites within less than so many spacings. */
+constexpr double leastReach = 1.6;
+/** Lists are built anew when this part of them is worn. */
+constexpr double mostWorn = 0.02;
 /** Covers the rounding of the distances that the displacements are compared with. */
 constexpr double aboveRounding = 1.0 + 1e-12;
+constexpr double never = std::numeric_limits<double>::infinity();
 
-const Blocks blocksOf(const Sites& sites)
+float roundedDown(double value)
+{
+  const auto rounded = static_cast<float>(value);
+  return rounded > value ? std::nextafter(rounded, 0.0F) : rounded;
+}
+
+Blocks blocksOf(const Sites& sites)
 {
   return Blocks::cut(sites.count(), 1024, 4096);
+}
+
+/** Order by rank: no branch to foresee, and several comparisons at once. */
+void orderByDistance(std::vector<Neighbor>& found)
+{
+  if (found.size() > mostOrdered)
+  {
+    std::nth_element(found.begin(), found.begin() + mostOrdered, found.end(),
+      [](const Neighbor& a, const Neighbor& b) { return a.distance < b.distance; });
+    found.resize(mostOrdered);
+  }
+  const int count = static_cast<int>(found.size());
+  float keys[mostOrdered];
+  Neighbor ordered[mostOrdered];
+  for (int k = 0; k < count; ++k)
+  {
+    keys[k] = static_cast<float>(found[k].distance);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    const float key = keys[k];
+    int rank = 0;
+    for (int other = 0; other < count; ++other)
+    {
+      rank += (keys[other] < key) + ((keys[other] == key) & (other < k));
+    }
+    ordered[rank] = found[k];
+  }
+  std::copy_n(ordered, count, found.begin());
 }
 }
 
@@ -35,13 +80,12 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
   {
     return status;
   }
-  return m_largestDisplacement > farthestMove * m_spacing ? this->build(sites, control)
-                                                          : Status::success();
+  return this->worn() ? this->build(sites, control) : Status::success();
 }
 
 Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl& control)
 {
-  const bool done = forEachRange(blocksOf(sites), control,
+  const bool measured = forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)
     {
       for (Offset k = begin; k < end; ++k)
@@ -53,42 +97,80 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
       }
     });
   m_largestDisplacement = *std::max_element(m_displacements.begin(), m_displacements.end());
-  return done ? Status::success() : Status::cancelled();
+  return measured ? Status::success() : Status::cancelled();
+}
+
+bool NeighborLists::worn() const
+{
+  Offset worn = 0;
+  const auto count = static_cast<Offset>(m_places.size());
+  for (Offset k = 0; k < count; ++k)
+  {
+    double farthest = 0.0;
+    worn += !this->holds(static_cast<Index>(k), m_places[k].needed, farthest);
+  }
+  return static_cast<double>(worn) > mostWorn * static_cast<double>(count);
+}
+
+void NeighborLists::buildList(Index site, bool known, std::vector<Neighbor>& found)
+{
+  const auto length = static_cast<std::size_t>(m_length);
+  Place& place = m_places[site];
+  double radius = 0.0;
+  found.clear();
+  if (known)
+  {
+    // In two dimensions the number of sites grows with the square of the radius.
+    radius = place.reach * std::sqrt(wantedWithin / (place.count + 1.0));
+    m_search->within(m_built.site(site), radius, found);
+    found.erase(std::remove_if(found.begin(), found.end(),
+                  [site](const Neighbor& neighbor) { return neighbor.site == site; }),
+      found.end());
+  }
+  if (found.size() < std::min(fewestWithin, length))
+  {
+    m_search->neighbors(site, m_length + 1, found);
+    radius = found.size() > length ? found.back().distance : never;
+  }
+  else
+  {
+    orderByDistance(found);
+  }
+  place.reach = roundedDown(found.size() > length ? found[length].distance : radius);
+  place.count = static_cast<Index>(std::min(length, found.size()));
+  double near = 0.0;
+  const std::size_t first = static_cast<std::size_t>(site) * length;
+  for (Index k = 0; k < place.count; ++k)
+  {
+    m_ids[first + k] = found[k].site;
+    m_distances[first + k] = roundedDown(found[k].distance);
+    near += k < nearNeighbors ? found[k].distance : 0.0;
+  }
+  place.needed = static_cast<float>(leastReach / nearNeighbors * near);
 }
 
 Status NeighborLists::build(const Sites& sites, const RunControl& control)
 {
+  const bool known = m_search && m_built.coordinates.size() == sites.coordinates.size();
   m_built = sites;
   m_search.emplace(m_built);
   const Index count = sites.count();
-  m_length = std::min(firstLength, count - 1);
-  m_neighbors.resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(m_length));
-  m_displacements.assign(static_cast<std::size_t>(count), 0.0);
+  const auto n = static_cast<std::size_t>(count);
+  m_length = std::min(longestList, count - 1);
+  m_ids.resize(n * static_cast<std::size_t>(m_length));
+  m_distances.resize(m_ids.size());
+  m_places.resize(n);
+  m_displacements.assign(n, 0.0);
   m_largestDisplacement = 0.0;
-  const Blocks blocks = blocksOf(sites);
-  std::vector<double> nearDistances(static_cast<std::size_t>(blocks.count()), 0.0);
-  const Index near = std::min(nearNeighbors, m_length);
-  const bool done = forEachBlock(blocks.count(), control,
-    [&](Offset block)
+  const bool done = forEachRange(blocksOf(sites), control,
+    [&](Offset begin, Offset end)
     {
       std::vector<Neighbor> found;
-      for (Offset site = blocks.begin(block); site < blocks.end(block); ++site)
+      for (Offset site = begin; site < end; ++site)
       {
-        const auto id = static_cast<Index>(site);
-        m_search->neighbors(id, m_length, found);
-        std::copy(found.begin(), found.end(), m_neighbors.begin() + this->offset(id));
-        for (Index k = 0; k < near; ++k)
-        {
-          nearDistances[block] += found[k].distance;
-        }
+        this->buildList(static_cast<Index>(site), known, found);
       }
     });
-  double sum = 0.0;
-  for (const double distance : nearDistances)
-  {
-    sum += distance;
-  }
-  m_spacing = near > 0 ? sum / (static_cast<double>(near) * count) : 0.0;
   if (!done)
   {
     m_search.reset(); // half-filled lists are none
@@ -116,13 +198,15 @@ bool NeighborWalk::extend()
   {
     return false;
   }
-  // Equal distances may be ordered otherwise in the longer list: go back to the first of them.
-  const double reached = m_count > 0 ? (m_end - 1)->distance : 0.0;
-  const std::vector<Neighbor>& list = m_longer.longerThan(m_count, m_site, m_lists);
-  m_next = std::lower_bound(list.data(), list.data() + list.size(), reached,
+  // The order at the end may be another in the longer list: go back to the first that is as far.
+  const double reached = m_count == 0 ? 0.0
+    : m_extended                      ? m_extended->back().distance
+                                      : m_list.distances[m_count - 1];
+  m_extended = &m_longer.longerThan(m_count, m_site, m_lists);
+  const auto first = std::lower_bound(m_extended->begin(), m_extended->end(), reached,
     [](const Neighbor& neighbor, double distance) { return neighbor.distance < distance; });
-  m_end = list.data() + list.size();
-  m_count = static_cast<Index>(list.size());
+  m_current = static_cast<Index>(first - m_extended->begin());
+  m_count = static_cast<Index>(m_extended->size());
   return true;
 }
 }

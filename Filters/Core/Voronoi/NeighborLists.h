@@ -8,7 +8,9 @@
  *
  * Lists are kept while the sites move little (Verlet lists, as in molecular dynamics): with d0 the
  * distance when the list was built and delta the displacement since, the distance now is at least
- * d0 - delta_i - delta_max. All stopping tests use that lower bound, so they stay exact.
+ * d0 - delta_i - delta_max. All stopping tests use that lower bound, so they stay exact. Lists are
+ * built anew when too many have become too short to be of use; how far each reached tells how far
+ * to look then.
  */
 #ifndef remesh_NeighborLists_h
 #define remesh_NeighborLists_h
@@ -22,7 +24,15 @@
 
 namespace remesh
 {
-/** First neighbours of every site, shared by all threads and read only. */
+/** The first neighbours of a site, itself left out, by distances when the list was built. */
+struct NeighborList
+{
+  const Index* sites;
+  const float* distances; ///< increasing; rounded down
+  Index count;
+};
+
+/** The lists of all sites, shared by all threads and read only. */
 class NeighborLists
 {
 public:
@@ -30,17 +40,29 @@ public:
   NeighborLists(const NeighborLists&) = delete; // the tree points into this object
   NeighborLists& operator=(const NeighborLists&) = delete;
 
-  /** Makes the lists valid for these sites: builds them if the sites have moved too far. */
+  /** Makes the lists valid for these sites: builds them if too many sites have moved too far. */
   Status update(const Sites& sites, const RunControl& control);
 
   /** Builds the tree and the lists for these sites. */
   Status build(const Sites& sites, const RunControl& control);
 
-  /** The list of a site, with distances when it was built. */
-  const Neighbor* begin(Index site) const { return m_neighbors.data() + this->offset(site); }
-  Index length() const { return m_length; }
-  /** Whether the lists hold all sites. */
-  bool complete() const { return m_length == m_search->numberOfSites() - 1; }
+  NeighborList list(Index site) const
+  {
+    const std::size_t first = static_cast<std::size_t>(site) * static_cast<std::size_t>(m_length);
+    return { m_ids.data() + first, m_distances.data() + first, m_places[site].count };
+  }
+  /** No list has more entries. */
+  Index longest() const { return m_length; }
+
+  /**
+   * Whether the list holds all sites that are now within `distance` of this one. They are among its
+   * entries up to the distance `farthest`.
+   */
+  bool holds(Index site, double distance, double& farthest) const
+  {
+    farthest = distance + this->approach(site);
+    return farthest <= m_places[site].reach;
+  }
 
   /** At most by so much is a neighbour of this site nearer now than when the list was built. */
   double approach(Index site) const { return m_displacements[site] + m_largestDisplacement; }
@@ -49,19 +71,26 @@ public:
   const NeighborSearch& search() const { return *m_search; }
 
 private:
-  Status measureDisplacements(const Sites& sites, const RunControl& control);
-  std::size_t offset(Index site) const
+  /** How far the list of a site can be trusted. */
+  struct Place
   {
-    return static_cast<std::size_t>(site) * static_cast<std::size_t>(m_length);
-  }
+    float reach = 0.0F;  ///< sites that are not in the list are no nearer than this
+    float needed = 0.0F; ///< a list that holds the sites within less than this is worn
+    Index count = 0;
+  };
+
+  Status measureDisplacements(const Sites& sites, const RunControl& control);
+  bool worn() const;
+  void buildList(Index site, bool known, std::vector<Neighbor>& found);
 
   Sites m_built; ///< the sites when the lists were built
   std::optional<NeighborSearch> m_search;
-  std::vector<Neighbor> m_neighbors; ///< n x length
+  std::vector<Index> m_ids;       ///< n x length
+  std::vector<float> m_distances; ///< n x length
+  std::vector<Place> m_places;    ///< n
   Index m_length = 0;
-  double m_spacing = 0.0; ///< mean distance to the nearest neighbours when built
 
-  std::vector<double> m_displacements; ///< n, since then
+  std::vector<double> m_displacements; ///< n, since the lists were built
   double m_largestDisplacement = 0.0;
 };
 
@@ -80,7 +109,7 @@ private:
 
 /**
  * Walks through all other sites by increasing distance from one of them when the lists were built.
- * Sites at equal distances at the end of a list may come twice; none is missed.
+ * Sites near the end of a list may come twice; none is missed.
  */
 class NeighborWalk
 {
@@ -89,28 +118,30 @@ public:
     : m_lists(lists)
     , m_longer(longer)
     , m_site(site)
-    , m_next(lists.begin(site))
-    , m_end(m_next + lists.length())
-    , m_count(lists.length())
-    , m_approach(lists.approach(site))
+    , m_list(lists.list(site))
+    , m_count(m_list.count)
   {
   }
 
   /** Steps to the next neighbour; false when there is none. */
   bool next()
   {
-    if (m_next == m_end && !this->extend())
-    {
-      return false;
-    }
-    m_current = m_next++;
-    return true;
+    ++m_current;
+    return m_current < m_count || this->extend();
   }
 
-  Index site() const { return m_current->site; }
+  Index site() const
+  {
+    return m_extended ? (*m_extended)[m_current].site : m_list.sites[m_current];
+  }
 
   /** No site from here on is nearer than this. */
-  double leastDistance() const { return m_current->distance - m_approach; }
+  double leastDistance() const
+  {
+    const double built =
+      m_extended ? (*m_extended)[m_current].distance : m_list.distances[m_current];
+    return built - m_lists.approach(m_site);
+  }
 
 private:
   bool extend();
@@ -118,11 +149,10 @@ private:
   const NeighborLists& m_lists;
   LongerLists& m_longer;
   Index m_site;
-  const Neighbor* m_next;
-  const Neighbor* m_end;
-  const Neighbor* m_current = nullptr;
-  Index m_count;
-  double m_approach;
+  NeighborList m_list;
+  const std::vector<Neighbor>* m_extended = nullptr; ///< instead of the list
+  Index m_current = -1;
+  Index m_count; ///< of what is walked through
 };
 }
 

@@ -18,7 +18,7 @@ struct Neighbor
   double distance; ///< in R^d, scaled units
 };
 
-/** A k-d tree over the sites. The sites must outlive it and not move. */
+/** k-d trees over the sites, at least one. The sites must outlive it and not move. */
 class NeighborSearch
 {
 public:
@@ -36,15 +36,18 @@ public:
    */
   void neighbors(Index site, Index count, std::vector<Neighbor>& result) const;
 
+  /** The sites nearer to a point of R^d than `radius`, in an order that is fixed but arbitrary. */
+  void within(const double* point, double radius, std::vector<Neighbor>& result) const;
+
   Index numberOfSites() const { return m_sites->count(); }
 
 private:
-  class Tree;
+  class Forest;
   template <int D>
-  class TreeOf;
+  class ForestOf;
 
   const Sites* m_sites;
-  std::unique_ptr<Tree> m_tree;
+  std::unique_ptr<Forest> m_forest;
 };
 }
 

@@ -15,9 +15,10 @@ namespace remesh
  *
  * @param owners C sites to start from; empty: start from a search in the tree. On return, the
  *        owners.
+ * @param squared C, on return the squared distances to them.
  */
 Status findOwners(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
-  const RunControl& control, std::vector<Index>& owners);
+  const RunControl& control, std::vector<Index>& owners, std::vector<double>& squared);
 }
 
 #endif

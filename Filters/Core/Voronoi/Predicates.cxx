@@ -14,7 +14,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon() / 2.0; // 2^-5
 // Shewchuk 1997, section 4: forward error of a determinant of once-rounded differences.
 constexpr double orient2dBound = (3.0 + 16.0 * epsilon) * epsilon;
 constexpr double orient3dBound = (7.0 + 56.0 * epsilon) * epsilon;
-// Below this, underflow could make the bounds wrong: go exact on scaled values instead.
+// Below this, underflow could make the bounds wrong: go exact.
 constexpr double safeMagnitude = 1e-200;
 
 using Plane = std::array<double, 2>;

@@ -7,7 +7,8 @@
  * quadratic in b is the same for all sites. Its restricted cell is where its function is least.
  * With the stored doubles H as the exact input, each decision is the sign of a polynomial in at
  * most 12 of them: a floating-point filter first, expansions (J. R. Shewchuk, "Adaptive Precision
- * Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997) when it fails.
+ * Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997) when it fails. Exact for
+ * H values that are 0 or from 2^-300 to 2^300: no product of three then leaves a double's range.
  *
  * Ties are broken by symbolic perturbation, H_ik -> H_ik + eps_i at all three corners with
  * 0 < eps_0 << eps_1 << ...: where sites tie, the lower id wins. Every decision is thus strict, and

@@ -16,6 +16,8 @@
 #define remesh_RestrictedVoronoi_h
 
 #include "Embedding/EmbeddedSurface.h"
+#include "Support/InstructionSet.h"
+#include "Support/PhaseTimer.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/CellSums.h"
@@ -24,12 +26,23 @@
 
 namespace remesh
 {
+/** Time spent so far in the parts of the evaluations. */
+struct EvaluationTimes
+{
+  Elapsed neighbors; ///< the lists
+  Elapsed ownership;
+  Elapsed clipping;  ///< and the integrals of each block
+  Elapsed reduction; ///< of the blocks to the whole
+};
+
 class RestrictedVoronoi
 {
 public:
   /** The surface must outlive this object. */
-  explicit RestrictedVoronoi(const EmbeddedSurface& surface)
+  explicit RestrictedVoronoi(
+    const EmbeddedSurface& surface, InstructionSet instructions = widestInstructionSet())
     : m_surface(surface)
+    , m_instructions(instructions)
   {
   }
 
@@ -43,6 +56,7 @@ public:
   const std::vector<Index>& owners() const { return m_owners; }
   /** Diagrams computed so far. */
   int evaluations() const { return m_evaluations; }
+  const EvaluationTimes& times() const { return m_times; }
 
 private:
   Status locate(const Sites& sites, const RunControl& control);
@@ -50,9 +64,13 @@ private:
   Status evaluate(const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram);
 
   const EmbeddedSurface& m_surface;
+  InstructionSet m_instructions;
   NeighborLists m_lists;
-  std::vector<Index> m_owners; ///< C
+  std::vector<Index> m_owners;        ///< C
+  std::vector<double> m_squared;      ///< C, distances to them
+  std::vector<BlockSums> m_blockSums; ///< kept for their memory
   int m_evaluations = 0;
+  EvaluationTimes m_times;
 };
 }
 

@@ -1,0 +1,133 @@
+#include "Adaptors/CarriedArrays.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkLookupTable.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+/** An array like another one, with room for so many tuples. */
+vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* source, Offset tuples)
+{
+  // Only the plain layout can be written to for certain.
+  vtkAbstractArray* made = source->HasStandardMemoryLayout()
+    ? source->NewInstance()
+    : vtkAbstractArray::CreateArray(source->GetDataType());
+  auto target = vtk::TakeSmartPointer(made);
+  target->SetName(source->GetName());
+  target->SetNumberOfComponents(source->GetNumberOfComponents());
+  target->CopyComponentNames(source);
+  target->SetNumberOfTuples(tuples);
+  if (source->HasInformation())
+  {
+    target->CopyInformation(source->GetInformation(), 1);
+  }
+  auto* from = vtkDataArray::SafeDownCast(source);
+  auto* to = vtkDataArray::SafeDownCast(target);
+  if (from && to && from->GetLookupTable())
+  {
+    to->SetLookupTable(from->GetLookupTable());
+  }
+  return target;
+}
+
+std::string nameOf(vtkAbstractArray* array)
+{
+  return array->GetName() ? array->GetName() : "";
+}
+
+std::string join(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "\"" : ", \"") + name + "\"";
+  }
+  return text;
+}
+}
+
+std::string LostArrays::describe() const
+{
+  std::string text;
+  if (!this->taken.empty())
+  {
+    text = "named like arrays of the mesh's own: " + join(this->taken);
+  }
+  if (!this->unfit.empty())
+  {
+    text += (text.empty() ? "" : "; ") + std::string("without one tuple for each point or cell: ") +
+      join(this->unfit);
+  }
+  return text.empty() ? text : "Arrays of the input are not carried over, " + text + ".";
+}
+
+std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset inputTuples,
+  const std::vector<vtkAbstractArray*>& replaced, Offset tuples, vtkDataSetAttributes* output,
+  LostArrays& lost)
+{
+  std::vector<CarriedArray> carried;
+  for (int k = 0; k < input->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = input->GetAbstractArray(k);
+    const std::string name = nameOf(array);
+    const int attribute = input->IsArrayAnAttribute(k);
+    if (name == vtkDataSetAttributes::GhostArrayName() ||
+      attribute == vtkDataSetAttributes::GLOBALIDS)
+    {
+      continue;
+    }
+    if (array->GetNumberOfTuples() != inputTuples)
+    {
+      lost.unfit.push_back(name);
+    }
+    else if (!name.empty() && output->HasArray(name.c_str()))
+    {
+      // The normals of the mesh stand for those of the input, used or not.
+      if (name != "Normals" &&
+        std::find(replaced.begin(), replaced.end(), array) == replaced.end())
+      {
+        lost.taken.push_back(name);
+      }
+    }
+    else
+    {
+      carried.push_back({ array, makeLike(array, tuples), attribute });
+    }
+  }
+  for (const CarriedArray& array : carried)
+  {
+    const int index = output->AddArray(array.target);
+    if (array.attribute >= 0 && !output->GetAbstractAttribute(array.attribute))
+    {
+      output->SetActiveAttribute(index, array.attribute);
+    }
+  }
+  return carried;
+}
+
+void carryFieldData(vtkPolyData* input, vtkPolyData* output, LostArrays& lost)
+{
+  vtkFieldData* from = input->GetFieldData();
+  vtkFieldData* to = output->GetFieldData();
+  for (int k = 0; k < from->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(k);
+    const std::string name = nameOf(array);
+    vtkAbstractArray* there = name.empty() ? nullptr : to->GetAbstractArray(name.c_str());
+    if (!there)
+    {
+      to->AddArray(array);
+    }
+    else if (there != array) // which the pipeline may have passed already
+    {
+      lost.taken.push_back(name);
+    }
+  }
+}
+}

@@ -1,0 +1,72 @@
+/**
+ * @file CarriedArrays.h
+ * @brief The input's point and cell arrays on the mesh.
+ *
+ * Arrays keep name, type, components with their names, information keys, lookup table and their
+ * part as active scalars, vectors and so on. Not carried: ghost marks; global ids, which would no
+ * longer be unique; arrays whose number of tuples is not that of the points or cells; and arrays
+ * named like one that the mesh has already.
+ */
+#ifndef remesh_CarriedArrays_h
+#define remesh_CarriedArrays_h
+
+#include "Adaptors/DiagramOutput.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkAbstractArray;
+class vtkDataSetAttributes;
+
+namespace remesh
+{
+/** Names of arrays that are not carried, and why. */
+struct LostArrays
+{
+  std::vector<std::string> taken; ///< the mesh has its own of the name
+  std::vector<std::string> unfit; ///< not one tuple for each point or cell
+
+  /** A sentence for the user, or nothing. */
+  std::string describe() const;
+};
+
+struct CarriedArray
+{
+  vtkAbstractArray* source;
+  vtkSmartPointer<vtkAbstractArray> target; ///< as many tuples as the mesh has points or cells
+  int attribute;                            ///< vtkDataSetAttributes::AttributeTypes, or -1
+};
+
+/**
+ * Empty arrays on the mesh for those of the input that are carried.
+ *
+ * @param inputTuples points or cells of the input.
+ * @param replaced arrays whose values the mesh's own array of the same name stands for: they are
+ *        left out without a warning.
+ * @param lost gets the others, but ghost marks and global ids.
+ */
+std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset inputTuples,
+  const std::vector<vtkAbstractArray*>& replaced, Offset tuples, vtkDataSetAttributes* output,
+  LostArrays& lost);
+
+/**
+ * Point arrays at each vertex's place on the input: floating-point arrays are interpolated linearly
+ * (the active normals are then made unit vectors again), and so are colours, unsigned char arrays
+ * of 3 or 4 components, to the nearest whole number. All others (integers, ids, bits, strings) may
+ * be labels: they take the value of the corner with the largest weight, of equal ones that of the
+ * lowest id. O(vertices x components), in parallel.
+ */
+void carryPointArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost);
+
+/**
+ * Cell arrays: each triangle takes the value that covers most of it (TriangleCover), where cells of
+ * equal values count together; of equal shares, that of the lowest cell id. Values are never mixed,
+ * so that labels stay labels. O(vertices of the pieces), in parallel, and only where the values
+ * around a triangle differ.
+ */
+void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost);
+
+/** Field data: the arrays themselves, but those named like facts that the mesh has already. */
+void carryFieldData(vtkPolyData* input, vtkPolyData* output, LostArrays& lost);
+}
+
+#endif

@@ -1,0 +1,258 @@
+/**
+ * @file CarriedCells.cxx
+ *
+ * For each triangle:
+ * 1. The input's cells under the pieces of its three cells; where an array has one value on all of
+ *    them, that is it.
+ * 2. Else the area of each such cell under the triangle, and for each array the sum of the areas
+ *    with equal values, in the order of the cells' ids.
+ * All that is kept is, for each array and triangle, a cell that has the value.
+ */
+#include "Adaptors/ArrayHelpers.h"
+#include "Adaptors/CarriedArrays.h"
+#include "Delaunay/TriangleCover.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkBitArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
+#include "vtkIdList.h"
+#include "vtkStringArray.h"
+
+#include <functional>
+
+namespace remesh
+{
+namespace
+{
+/** Negative, 0 or positive, as the value of one cell comes before, with or after another's. */
+using CellOrder = std::function<int(vtkIdType, vtkIdType)>;
+
+/** A total order, also with NaN: last, and equal to itself. */
+template <class Value>
+int compare(const Value& a, const Value& b)
+{
+  if (a < b)
+  {
+    return -1;
+  }
+  return b < a ? 1 : static_cast<int>(a != a) - static_cast<int>(b != b);
+}
+
+struct MakeOrder
+{
+  template <class Array>
+  void operator()(Array* array, CellOrder& order) const
+  {
+    order = [tuples = vtk::DataArrayTupleRange(array), size = array->GetNumberOfComponents()](
+              vtkIdType a, vtkIdType b)
+    {
+      const auto first = tuples[a];
+      const auto second = tuples[b];
+      int result = 0;
+      for (int c = 0; c < size && result == 0; ++c)
+      {
+        using Value = typename Array::ValueType;
+        result = compare<Value>(first[c], second[c]);
+      }
+      return result;
+    };
+  }
+};
+
+/** Compares any array's tuples with `value(index)`. */
+template <class Value>
+CellOrder orderOfValues(int size, const Value& value)
+{
+  return [size, value](vtkIdType a, vtkIdType b)
+  {
+    int result = 0;
+    for (int c = 0; c < size && result == 0; ++c)
+    {
+      result = compare(value(a * size + c), value(b * size + c));
+    }
+    return result;
+  };
+}
+
+CellOrder orderOf(vtkAbstractArray* array)
+{
+  const int size = array->GetNumberOfComponents();
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    return orderOfValues(
+      size, [strings](vtkIdType k) -> const vtkStdString& { return strings->GetPointer(0)[k]; });
+  }
+  if (auto* bits = vtkBitArray::SafeDownCast(array))
+  {
+    return orderOfValues(size, [bits](vtkIdType k) { return bits->GetValue(k); });
+  }
+  CellOrder order;
+  auto* data = vtkDataArray::SafeDownCast(array);
+  if (data && !vtkArrayDispatch::Dispatch::Execute(data, MakeOrder{}, order))
+  {
+    order = orderOfValues(size,
+      [data, size](vtkIdType k)
+      { return data->GetComponent(k / size, static_cast<int>(k % size)); });
+  }
+  if (!data)
+  {
+    order = [](vtkIdType a, vtkIdType b) { return compare(a, b); }; // no values that one can tell
+  }
+  return order;
+}
+
+struct CellShare
+{
+  vtkIdType cell;
+  double area;
+};
+
+/** The value with the largest area, as the lowest cell that has it. */
+vtkIdType chooseCell(
+  const std::vector<CellShare>& shares, const CellOrder& order, std::vector<CellShare>& scratch)
+{
+  constexpr double equal = 1.0 - 1e-9; // shares that differ by rounding alone
+  scratch = shares;
+  std::stable_sort(scratch.begin(), scratch.end(),
+    [&](const CellShare& a, const CellShare& b) { return order(a.cell, b.cell) < 0; });
+  std::size_t groups = 0;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < scratch.size(); ++k)
+  {
+    if (groups > 0 && order(scratch[groups - 1].cell, scratch[k].cell) == 0)
+    {
+      scratch[groups - 1].area += scratch[k].area;
+    }
+    else
+    {
+      scratch[groups++] = scratch[k];
+    }
+    largest = std::max(largest, scratch[groups - 1].area);
+  }
+  vtkIdType best = -1;
+  for (std::size_t k = 0; k < groups; ++k)
+  {
+    if (scratch[k].area >= equal * largest && (best < 0 || scratch[k].cell < best))
+    {
+      best = scratch[k].cell;
+    }
+  }
+  return best;
+}
+
+/** Finds the cells whose values the triangles of one block take; one per block. */
+class CellChooser
+{
+public:
+  CellChooser(const DiagramSource& source, vtkPolyData* mesh, const std::vector<CellOrder>& orders)
+    : Source(source)
+    , Corners(vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData())->GetPointer(0))
+    , Orders(orders)
+    , Cover{ source.prepared.mesh, source.result.components,
+      { source.surface(), source.result.sites, source.result.diagram } }
+  {
+  }
+
+  /** Calls `choose(array, cell)` for each array. */
+  template <class Choose>
+  void Run(const Triple& triangle, const Choose& choose)
+  {
+    this->FindCells(triangle);
+    bool measured = false;
+    for (std::size_t array = 0; array < this->Orders.size(); ++array)
+    {
+      const CellOrder& order = this->Orders[array];
+      const vtkIdType first = this->Cells.front();
+      const bool isUniform = std::all_of(this->Cells.begin(), this->Cells.end(),
+        [&](vtkIdType cell) { return order(first, cell) == 0; });
+      if (!isUniform && !measured)
+      {
+        this->Measure(triangle);
+        measured = true;
+      }
+      choose(array, isUniform ? first : chooseCell(this->Shares, order, this->Scratch));
+    }
+  }
+
+private:
+  vtkIdType CellOf(Index facet) const { return this->Source.prepared.mesh.facetInputCells[facet]; }
+
+  /** The input's cells that the three cells reach, ascending; at least one. */
+  void FindCells(const Triple& triangle)
+  {
+    this->Cells.clear();
+    this->Cover.forEachPiece(triangle,
+      [&](Index piece)
+      { this->Cells.push_back(this->CellOf(this->Source.result.diagram.facets[piece])); });
+    if (this->Cells.empty())
+    {
+      this->Cells.push_back(this->CellOf(this->Source.result.locations[triangle[0]].facet));
+    }
+    std::sort(this->Cells.begin(), this->Cells.end());
+    this->Cells.erase(std::unique(this->Cells.begin(), this->Cells.end()), this->Cells.end());
+  }
+
+  void Measure(const Triple& triangle)
+  {
+    std::array<Point3, 3> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = Point3::Map(this->Corners + 3 * static_cast<std::size_t>(triangle[k]));
+    }
+    this->Cover.measure(triangle, corners, this->Parts);
+    this->Shares.clear();
+    for (const CoverPart& part : this->Parts)
+    {
+      this->Shares.push_back({ this->CellOf(part.facet), part.area });
+    }
+    std::stable_sort(this->Shares.begin(), this->Shares.end(),
+      [](const CellShare& a, const CellShare& b) { return a.cell < b.cell; });
+  }
+
+  const DiagramSource& Source;
+  const double* Corners;
+  const std::vector<CellOrder>& Orders;
+  TriangleCover Cover;
+  std::vector<vtkIdType> Cells;
+  std::vector<CoverPart> Parts;
+  std::vector<CellShare> Shares; ///< by cell, which may come several times
+  std::vector<CellShare> Scratch;
+};
+}
+
+void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost)
+{
+  const std::vector<Triple>& triangles = source.result.dual.triangles;
+  const auto count = static_cast<Offset>(triangles.size());
+  const std::vector<CarriedArray> arrays = makeCarriedArrays(source.input->GetCellData(),
+    source.input->GetNumberOfCells(), {}, count, output->GetCellData(), lost);
+  if (arrays.empty() || count == 0)
+  {
+    return;
+  }
+  std::vector<CellOrder> orders;
+  std::vector<vtkNew<vtkIdList>> cells(arrays.size());
+  std::vector<vtkIdType*> chosen;
+  for (std::size_t k = 0; k < arrays.size(); ++k)
+  {
+    orders.push_back(orderOf(arrays[k].source));
+    cells[k]->SetNumberOfIds(count);
+    chosen.push_back(cells[k]->GetPointer(0));
+  }
+  const bool done = forEachRange(Blocks::cut(count, 256, 4096), source.control,
+    [&](Offset begin, Offset end)
+    {
+      CellChooser chooser(source, output, orders);
+      for (Offset t = begin; t < end; ++t)
+      {
+        chooser.Run(
+          triangles[t], [&](std::size_t array, vtkIdType cell) { chosen[array][t] = cell; });
+      }
+    });
+  for (std::size_t k = 0; done && k < arrays.size(); ++k)
+  {
+    arrays[k].source->GetTuples(cells[k], arrays[k].target);
+  }
+}
+}

@@ -1,0 +1,25 @@
+/**
+ * @file FacetLabels.h
+ * @brief A cell array of the caller's data as labels of the facets.
+ */
+#ifndef remesh_FacetLabels_h
+#define remesh_FacetLabels_h
+
+#include "Mesh/SurfaceMesh.h"
+#include "Support/Status.h"
+
+class vtkAbstractArray;
+
+namespace remesh
+{
+/**
+ * One number per facet, equal where the tuples of their cells are: numbers of any type and number
+ * of components, compared as doubles, or strings.
+ *
+ * @return InvalidInput, with the array's name, for a wrong number of tuples or another type.
+ */
+Status readFacetLabels(const SurfaceMesh& mesh, vtkAbstractArray* array, Offset numberOfInputCells,
+  std::vector<Index>& labels);
+}
+
+#endif

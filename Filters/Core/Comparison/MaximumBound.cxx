@@ -1,0 +1,193 @@
+#include "Comparison/MaximumBound.h"
+
+#include "Mesh/FacetGeometry.h"
+#include "Support/Grouping.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace remesh
+{
+namespace
+{
+constexpr int mostLevels = 30; ///< halvings of a triangle's edges
+
+struct Part
+{
+  std::array<Point3, 3> corners;
+  double bound; ///< of the distance on this part
+  Index hint;
+};
+
+/** The state of the search, from level to level. */
+struct Search
+{
+  const TriangleTree& to;
+  const DistanceOptions& options;
+  double largest;       ///< found
+  double settled = 0.0; ///< largest bound of the parts that were left alone
+
+  double target() const
+  {
+    return std::max(this->options.negligible, this->largest * (1.0 + this->options.boundTolerance));
+  }
+
+  /** Bounds one part; returns the distance of its centroid. */
+  double examine(Part& part) const
+  {
+    const Point3 centroid = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
+    const TriangleTree::Place place = this->to.closest(centroid, part.hint);
+    const double distance = std::sqrt(place.at.squared);
+    double reach = 0.0;
+    double convex = 0.0;
+    for (const Point3& corner : part.corners)
+    {
+      reach = std::max(reach, (corner - centroid).squaredNorm());
+      convex = std::max(convex, this->to.closestOn(place.slot, corner).at.squared);
+    }
+    part.hint = place.slot;
+    part.bound = std::min({ part.bound, distance + std::sqrt(reach), std::sqrt(convex) });
+    return distance;
+  }
+};
+
+/**
+ * Calls `examineItem(item)`, which returns a distance, for each; raises the largest one. False if
+ * cancelled.
+ */
+template <class ExamineItem>
+bool examineAll(
+  Offset count, const RunControl& control, const ExamineItem& examineItem, Search& search)
+{
+  const Blocks blocks = Blocks::cut(count, 1024, 4096);
+  std::vector<double> largest(static_cast<std::size_t>(blocks.count()), 0.0);
+  const bool done = forEachBlock(blocks.count(), control,
+    [&](Offset block)
+    {
+      for (Offset item = blocks.begin(block); item < blocks.end(block); ++item)
+      {
+        largest[block] = std::max(largest[block], examineItem(item));
+      }
+    });
+  search.largest = std::accumulate(largest.begin(), largest.end(), search.largest,
+    [](double a, double b) { return std::max(a, b); });
+  return done;
+}
+
+/** The triangles that the search goes on with. False if cancelled. */
+bool examineTriangles(
+  const Triangles& from, const RunControl& control, Search& search, std::vector<Part>& open)
+{
+  std::vector<double> bounds(static_cast<std::size_t>(from.count()), 0.0);
+  std::vector<Index> hints(bounds.size(), noIndex);
+  if (!examineAll(
+        from.count(), control,
+        [&](Offset t)
+        {
+          Part part{ from.corners(t), std::numeric_limits<double>::infinity(), noIndex };
+          if (!hasArea(part.corners[0], part.corners[1], part.corners[2]))
+          {
+            return 0.0;
+          }
+          const double distance = search.examine(part);
+          bounds[t] = part.bound;
+          hints[t] = part.hint;
+          return distance;
+        },
+        search))
+  {
+    return false;
+  }
+  const double target = search.target();
+  for (std::size_t t = 0; t < bounds.size(); ++t)
+  {
+    if (bounds[t] > target)
+    {
+      open.push_back({ from.corners(static_cast<Offset>(t)), bounds[t], hints[t] });
+    }
+    else
+    {
+      search.settled = std::max(search.settled, bounds[t]);
+    }
+  }
+  return true;
+}
+
+/** Leaves alone the parts that cannot matter, and those beyond `most` with the least bounds. */
+void settle(std::vector<Part>& open, Offset most, Search& search)
+{
+  const double target = search.target();
+  double least = target;
+  if (static_cast<Offset>(open.size()) > most)
+  {
+    std::vector<double> bounds(open.size());
+    std::transform(
+      open.begin(), open.end(), bounds.begin(), [](const Part& part) { return part.bound; });
+    const auto place = bounds.begin() + most;
+    std::nth_element(bounds.begin(), place, bounds.end(), std::greater<>());
+    least = std::max(least, *place); // at most `most` parts are above it
+  }
+  const auto end = std::remove_if(open.begin(), open.end(),
+    [&](const Part& part)
+    {
+      if (part.bound > least)
+      {
+        return false;
+      }
+      search.settled = std::max(search.settled, part.bound);
+      return true;
+    });
+  open.erase(end, open.end());
+}
+
+std::vector<Part> cutIntoFour(const std::vector<Part>& open)
+{
+  std::vector<Part> parts;
+  parts.reserve(4 * open.size());
+  for (const Part& part : open)
+  {
+    const auto& [a, b, c] = part.corners;
+    const Point3 ab = 0.5 * (a + b);
+    const Point3 bc = 0.5 * (b + c);
+    const Point3 ca = 0.5 * (c + a);
+    parts.push_back({ { a, ab, ca }, part.bound, part.hint });
+    parts.push_back({ { ab, b, bc }, part.bound, part.hint });
+    parts.push_back({ { ca, bc, c }, part.bound, part.hint });
+    parts.push_back({ { bc, ca, ab }, part.bound, part.hint });
+  }
+  return parts;
+}
+}
+
+Status boundMaximum(const Triangles& from, const TriangleTree& to, const DistanceOptions& options,
+  const RunControl& control, OneSidedDistance& distance)
+{
+  Search search{ to, options, distance.maximum };
+  std::vector<Part> open;
+  if (!examineTriangles(from, control.step(0, 2), search, open))
+  {
+    return Status::cancelled();
+  }
+  Offset budget = options.maximumParts;
+  for (int level = 0; level < mostLevels; ++level)
+  {
+    settle(open, budget / 4, search);
+    if (open.empty())
+    {
+      break;
+    }
+    open = cutIntoFour(open);
+    budget -= static_cast<Offset>(open.size());
+    if (!examineAll(
+          static_cast<Offset>(open.size()), control.silent(),
+          [&](Offset k) { return search.examine(open[k]); }, search))
+    {
+      return Status::cancelled();
+    }
+  }
+  settle(open, 0, search);
+  distance.maximum = search.largest;
+  distance.maximumBound = std::max(search.largest, search.settled);
+  return Status::success();
+}
+}

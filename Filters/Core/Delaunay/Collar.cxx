@@ -1,0 +1,333 @@
+#include "Delaunay/Collar.h"
+
+#include "Voronoi/VertexPlaces.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace remesh
+{
+namespace
+{
+/** A stretch of a facet's edge that lies in one cell. */
+struct Stretch
+{
+  Offset piece;
+  double end; ///< in [0, 1] along the facet's sense of rotation
+};
+
+/** The pieces along edge k of a facet, in the facet's sense of rotation. */
+void listStretches(const VertexPlaces& places, Index facet, int k, std::vector<Stretch>& stretches)
+{
+  const Diagram& diagram = places.diagram;
+  stretches.clear();
+  const auto edgeOf = [&](Offset piece) -> Offset
+  {
+    for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+    {
+      if (diagram.across[v] == -1 - k)
+      {
+        return v;
+      }
+    }
+    return -1;
+  };
+  const auto pieces =
+    static_cast<std::size_t>(diagram.facetBegin[facet + 1] - diagram.facetBegin[facet]);
+  const auto followerOf = [&](Offset piece, Offset vertex) {
+    return vertex + 1 == diagram.vertexBegin[piece + 1] ? diagram.vertexBegin[piece] : vertex + 1;
+  };
+  // The first is the piece with the facet's corner k.
+  for (Offset piece = diagram.facetBegin[facet]; piece < diagram.facetBegin[facet + 1]; ++piece)
+  {
+    const Offset v = edgeOf(piece);
+    if (v < 0)
+    {
+      continue;
+    }
+    const Offset before =
+      v == diagram.vertexBegin[piece] ? diagram.vertexBegin[piece + 1] - 1 : v - 1;
+    if (diagram.across[before] != -1 - (k + 2) % 3)
+    {
+      continue;
+    }
+    for (Offset at = piece; at >= 0;)
+    {
+      const Offset begin = edgeOf(at);
+      if (begin < 0 || stretches.size() == pieces)
+      {
+        break;
+      }
+      const Offset end = followerOf(at, begin);
+      stretches.push_back({ at, places.at(at, end)[(k + 1) % 3] });
+      const Index next = diagram.across[end];
+      at = next < 0 ? -1 : diagram.pieceOf(facet, next);
+    }
+    return;
+  }
+}
+
+/** Walks along one side of one feature edge, and joins what meets there. */
+class Sewer
+{
+public:
+  Sewer(const Diagram& diagram, const Components& components, const SurfaceMesh& mesh,
+    const EmbeddedSurface& surface, const Features& features, const Stations& stations,
+    const FeatureSites& featureSites, const Sites& sites, Seams& seams)
+    : m_diagram(diagram)
+    , m_components(components)
+    , m_mesh(mesh)
+    , m_surface(surface)
+    , m_features(features)
+    , m_stations(stations)
+    , m_sites(featureSites)
+    , m_allSites(sites)
+    , m_seams(seams)
+  {
+  }
+
+  void sew(const CollarEdge& collar, Index facet)
+  {
+    const Triple& own = m_features.edges.facetEdges[facet];
+    m_facet = facet;
+    m_edge = static_cast<int>(std::find(own.begin(), own.end(), collar.edge) - own.begin());
+    listStretches({ m_surface, m_allSites, m_diagram }, facet, m_edge, m_stretches);
+    m_forward = m_mesh.facetPoints[facet][m_edge] == collar.start;
+    m_sewing = m_features.cuts[collar.edge] != 0;
+    this->layCollar(collar);
+    std::size_t inner = 0;
+    std::size_t outer = 0;
+    while (inner < m_stretches.size())
+    {
+      const Index x = m_components.ofPiece[m_stretches[inner].piece];
+      const Index c = m_seams.components[m_cells[outer].point];
+      this->noteIntrusion(collar, inner, outer);
+      const bool lastInner = inner + 1 == m_stretches.size();
+      const bool lastOuter = outer + 1 == m_cells.size();
+      if (lastInner && lastOuter)
+      {
+        break;
+      }
+      if (lastOuter || (!lastInner && m_stretches[inner].end <= m_cells[outer].end))
+      {
+        this->join(m_components.ofPiece[m_stretches[++inner].piece], x, c);
+      }
+      else
+      {
+        this->join(x, c, m_seams.components[m_cells[++outer].point]);
+      }
+    }
+  }
+
+private:
+  struct Cell
+  {
+    Index point; ///< feature point
+    double end;  ///< as of a stretch
+  };
+
+  /** The curve's cells in the facet's sense of rotation. */
+  void layCollar(const CollarEdge& collar)
+  {
+    m_cells.clear();
+    Index owner = collar.first;
+    for (const CollarEdge::Change& change : collar.changes)
+    {
+      m_cells.push_back({ owner, change.t });
+      owner = change.to;
+    }
+    m_cells.push_back({ owner, 1.0 });
+    if (!m_forward)
+    {
+      std::reverse(m_cells.begin(), m_cells.end());
+      for (std::size_t c = 0; c < m_cells.size(); ++c)
+      {
+        m_cells[c].end = c + 1 < m_cells.size() ? 1.0 - m_cells[c + 1].end : 1.0;
+      }
+    }
+  }
+
+  /** A triangle of three different cells. */
+  void join(Index a, Index b, Index c)
+  {
+    if (m_sewing && a != b && b != c && c != a && a != noIndex && b != noIndex && c != noIndex)
+    {
+      m_seams.triangles.push_back({ a, b, c });
+    }
+  }
+
+  /** Whether the site is one of the curve's own. */
+  bool isOfCurve(const CollarEdge& collar, Index site) const
+  {
+    const std::vector<Index>& points = m_sites.curvePoints[collar.curve];
+    return std::find(points.begin(), points.end(), m_sites.pointOfSite[site]) != points.end();
+  }
+
+  /** A free site's piece on the curve, or another curve's where the surface is not cut. */
+  void noteIntrusion(const CollarEdge& collar, std::size_t inner, std::size_t outer)
+  {
+    const Index site = m_diagram.sites[m_stretches[inner].piece];
+    if (site < m_sites.sites.count())
+    {
+      // Sewn, but not where the cell comes from beyond another cut, as across a narrow strip.
+      const Index main = m_seams.components[m_sites.pointOfSite[site]];
+      const bool belongs = m_components.ofPiece[m_stretches[inner].piece] == main;
+      if (this->isOfCurve(collar, site) || (m_sewing && belongs))
+      {
+        return;
+      }
+    }
+    const double begin = std::max(
+      inner > 0 ? m_stretches[inner - 1].end : 0.0, outer > 0 ? m_cells[outer - 1].end : 0.0);
+    const double end = std::min(m_stretches[inner].end, m_cells[outer].end);
+    Intrusion intrusion{ collar.curve, 0, site, {}, 0.0 };
+    const double foot = this->footOf(site, begin, end, intrusion.squared);
+    intrusion.foot = { collar.segment, m_forward ? foot : 1.0 - foot };
+    this->alignFoot(intrusion);
+    const std::vector<Station>& stations = m_stations[collar.curve];
+    const auto after = std::upper_bound(stations.begin(), stations.end(), intrusion.foot);
+    intrusion.section = std::clamp(static_cast<Index>(after - stations.begin()) - 1, Index(0),
+      static_cast<Index>(stations.size()) - 2);
+    m_seams.intrusions.push_back(intrusion);
+  }
+
+  /**
+   * Where another curve's site that shares an end with this curve intrudes, the places of both must
+   * be at the same distance from that end: feet of feet would never end.
+   */
+  void alignFoot(Intrusion& intrusion) const
+  {
+    if (intrusion.site >= m_sites.sites.count())
+    {
+      return;
+    }
+    const FeaturePoint& point = m_sites.points[m_sites.pointOfSite[intrusion.site]];
+    if (point.isCorner || point.curve == intrusion.curve)
+    {
+      return;
+    }
+    const FeatureCurve& own = m_features.curves[intrusion.curve];
+    const FeatureCurve& other = m_features.curves[point.curve];
+    double radius = std::numeric_limits<double>::infinity();
+    for (const bool front : { true, false })
+    {
+      const Index end = front ? own.points.front() : own.points.back();
+      const double distance = (point.place - m_mesh.points[end]).norm();
+      if ((end == other.points.front() || end == other.points.back()) && distance < radius)
+      {
+        radius = distance;
+        intrusion.foot = stationAtRadius(m_mesh, own, front, radius);
+      }
+    }
+  }
+
+  /** The place on the edge nearest to a site, between two others. */
+  double footOf(Index site, double begin, double end, double& squared) const
+  {
+    const int d = m_surface.dimension;
+    const double* p = m_surface.corner(m_mesh.facetCorners[m_facet][m_edge]);
+    const double* q = m_surface.corner(m_mesh.facetCorners[m_facet][(m_edge + 1) % 3]);
+    const double* x = m_allSites.site(site);
+    double along = 0.0, length2 = 0.0;
+    for (int c = 0; c < d; ++c)
+    {
+      along += (x[c] - p[c]) * (q[c] - p[c]);
+      length2 += (q[c] - p[c]) * (q[c] - p[c]);
+    }
+    const double t = std::clamp(length2 > 0.0 ? along / length2 : 0.5, begin, end);
+    squared = 0.0;
+    for (int c = 0; c < d; ++c)
+    {
+      const double difference = x[c] - ((1.0 - t) * p[c] + t * q[c]);
+      squared += difference * difference;
+    }
+    return t;
+  }
+
+  const Diagram& m_diagram;
+  const Components& m_components;
+  const SurfaceMesh& m_mesh;
+  const EmbeddedSurface& m_surface;
+  const Features& m_features;
+  const Stations& m_stations;
+  const FeatureSites& m_sites;
+  const Sites& m_allSites;
+  Seams& m_seams;
+  Index m_facet = 0;
+  int m_edge = 0;        ///< of the facet
+  bool m_sewing = true;  ///< false where the surface is not cut
+  bool m_forward = true; ///< whether the facet runs along the edge as its curve does
+  std::vector<Stretch> m_stretches;
+  std::vector<Cell> m_cells;
+};
+
+/** The component that holds each feature point. */
+std::vector<Index> componentsOfPoints(
+  const Diagram& diagram, const Components& components, const FeatureSites& sites)
+{
+  std::vector<Index> result(sites.points.size(), noIndex);
+  for (std::size_t p = 0; p < sites.points.size(); ++p)
+  {
+    for (Offset s = sites.seatBegin[p]; s < sites.seatBegin[p + 1] && result[p] == noIndex; ++s)
+    {
+      const Offset piece = diagram.pieceOf(sites.seats[s].facet, sites.seats[s].site);
+      result[p] = piece >= 0 ? components.ofPiece[piece] : noIndex;
+    }
+  }
+  return result;
+}
+
+void addSegments(const Features& features, const FeatureSites& sites, Seams& seams)
+{
+  for (std::size_t c = 0; c < sites.curvePoints.size(); ++c)
+  {
+    const std::vector<Index>& points = sites.curvePoints[c];
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    {
+      const Index a = seams.components[points[k]];
+      const Index b = seams.components[points[k + 1]];
+      if (a != b && a != noIndex && b != noIndex)
+      {
+        seams.segments.push_back({ { a, b }, features.curves[c].kind });
+      }
+    }
+  }
+}
+}
+
+namespace
+{
+/** Of the stretches of one site in one section, the one nearest to the site. */
+void keepNearest(std::vector<Intrusion>& intrusions)
+{
+  const auto key = [](const Intrusion& i) { return std::make_tuple(i.curve, i.section, i.site); };
+  std::stable_sort(intrusions.begin(), intrusions.end(),
+    [&](const Intrusion& a, const Intrusion& b)
+    { return key(a) != key(b) ? key(a) < key(b) : a.squared < b.squared; });
+  intrusions.erase(std::unique(intrusions.begin(), intrusions.end(),
+                     [&](const Intrusion& a, const Intrusion& b) { return key(a) == key(b); }),
+    intrusions.end());
+}
+}
+
+Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
+  const Stations& stations, const FeatureSites& featureSites, const Sites& sites)
+{
+  Seams seams;
+  seams.components = componentsOfPoints(diagram, components, featureSites);
+  addSegments(features, featureSites, seams);
+  Sewer sewer(diagram, components, mesh, surface, features, stations, featureSites, sites, seams);
+  for (const CollarEdge& collar : featureSites.collar)
+  {
+    for (Offset i = features.edges.edgeFacetsBegin[collar.edge];
+         i < features.edges.edgeFacetsBegin[collar.edge + 1]; ++i)
+    {
+      sewer.sew(collar, features.edges.edgeFacets[i]);
+    }
+  }
+  keepNearest(seams.intrusions);
+  return seams;
+}
+}

@@ -1,0 +1,59 @@
+/**
+ * @file Collar.h
+ * @brief Sews the duals of the patches along the feature curves, whatever the cells do there.
+ *
+ * Along its border a patch is thought to go on a little, in a collar that belongs to the sites of
+ * the curve alone: each has the stretch that is nearest to it along the curve. The dual of patch
+ * and collar ends exactly on the curve's sites, in their order. Where the patch's own cells meet
+ * the curve in that order, as they nearly always do, the collar adds nothing. Where another cell
+ * reaches the curve between two of them, it adds the triangle that joins the three, which the
+ * patch's own dual lacks. So the mesh is closed along each feature by construction, and each
+ * stretch of a curve between two sites is an edge of it.
+ *
+ * Along creases that end within a patch the surface is not cut and nothing is sewn: cells that come
+ * between are only noted, for the curve to be refined.
+ */
+#ifndef remesh_Collar_h
+#define remesh_Collar_h
+
+#include "Delaunay/Components.h"
+#include "Features/FeatureSites.h"
+
+namespace remesh
+{
+/** An edge of the mesh along a feature. */
+struct FeatureSegment
+{
+  std::array<Index, 2> ends; ///< components
+  FeatureKind kind;
+};
+
+/**
+ * A cell of a free site that reaches a curve between two of the curve's sites. Also one of another
+ * curve's site, where the surface is not cut and nothing can be sewn, or where the cell has several
+ * components and this is not the one with the site.
+ */
+struct Intrusion
+{
+  Index curve;
+  Index section; ///< of the curve, after this station
+  Index site;
+  Station foot;   ///< nearest to the site, of the curve's points in its cell
+  double squared; ///< distance of the two, in R^d
+};
+
+struct Seams
+{
+  std::vector<Index> components;        ///< of each feature point, or noIndex where it has no cell
+  std::vector<FeatureSegment> segments; ///< of all curves, in their order
+  std::vector<Triple> triangles;        ///< of components, oriented as their facet
+  std::vector<Intrusion> intrusions;    ///< by curve, section and site; each of them once
+};
+
+/** O(pieces along the features). */
+Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
+  const Stations& stations, const FeatureSites& featureSites, const Sites& sites);
+}
+
+#endif

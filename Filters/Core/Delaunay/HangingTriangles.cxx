@@ -1,0 +1,156 @@
+#include "Delaunay/HangingTriangles.h"
+
+#include "Mesh/EdgeTable.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+/** Which vertex takes over each that hangs; noIndex for all others. Marks their triangles. */
+std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const Components& components,
+  const Seams& seams, std::vector<char>& hangs)
+{
+  const EdgeTable edges = buildEdgeTable(triangles);
+  std::vector<Index> uses(static_cast<std::size_t>(components.count()), 0);
+  for (const Triple& triangle : triangles)
+  {
+    for (const Index vertex : triangle)
+    {
+      ++uses[vertex];
+    }
+  }
+  std::vector<char> stays(uses.size(), 0);
+  for (const Index component : seams.components)
+  {
+    if (component != noIndex)
+    {
+      stays[component] = 1;
+    }
+  }
+  std::vector<Index> heirs(uses.size(), noIndex);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const Triple& own = edges.facetEdges[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index apex = triangles[t][(k + 2) % 3];
+      if (edges.valence(own[k]) > 2 && edges.valence(own[(k + 1) % 3]) == 1 &&
+        edges.valence(own[(k + 2) % 3]) == 1 && uses[apex] == 1 && !stays[apex])
+      {
+        heirs[apex] = triangles[t][k]; // which has other triangles, and so does not hang itself
+        hangs[t] = 1;
+      }
+    }
+  }
+  return heirs;
+}
+
+/** Gives the pieces and sums of each vertex to its heir. */
+void takeOver(const std::vector<Index>& heirs, Components& components)
+{
+  for (Index k = 0; k < components.count(); ++k)
+  {
+    if (const Index heir = heirs[k]; heir != noIndex)
+    {
+      components.mass[heir] += components.mass[k];
+      components.area[heir] += components.area[k];
+      components.energy[heir] += components.energy[k];
+    }
+  }
+}
+
+/** Leaves out the vertices with heirs; returns the new number of each. */
+std::vector<Index> renumber(const std::vector<Index>& heirs, Components& components)
+{
+  const Index count = components.count();
+  std::vector<Index> numbers(static_cast<std::size_t>(count), noIndex);
+  Index kept = 0;
+  for (Index k = 0; k < count; ++k)
+  {
+    if (heirs[k] != noIndex)
+    {
+      continue;
+    }
+    const bool sameSite = kept > 0 && components.sites[kept - 1] == components.sites[k];
+    components.ranks[kept] = sameSite ? components.ranks[kept - 1] + 1 : 0;
+    components.sites[kept] = components.sites[k];
+    components.mass[kept] = components.mass[k];
+    components.area[kept] = components.area[k];
+    components.energy[kept] = components.energy[k];
+    components.centroids[kept] = components.centroids[k];
+    numbers[k] = kept++;
+  }
+  for (Index k = 0; k < count; ++k)
+  {
+    if (heirs[k] != noIndex)
+    {
+      numbers[k] = numbers[heirs[k]];
+    }
+  }
+  components.sites.resize(kept);
+  components.ranks.resize(kept);
+  components.mass.resize(kept);
+  components.area.resize(kept);
+  components.energy.resize(kept);
+  components.centroids.resize(kept);
+  return numbers;
+}
+
+void listPieces(Components& components)
+{
+  components.pieceBegin.assign(static_cast<std::size_t>(components.count()) + 1, 0);
+  for (const Index component : components.ofPiece)
+  {
+    ++components.pieceBegin[static_cast<std::size_t>(component) + 1];
+  }
+  for (std::size_t k = 1; k < components.pieceBegin.size(); ++k)
+  {
+    components.pieceBegin[k] += components.pieceBegin[k - 1];
+  }
+  std::vector<Offset> next(components.pieceBegin.begin(), components.pieceBegin.end() - 1);
+  for (std::size_t piece = 0; piece < components.ofPiece.size(); ++piece)
+  {
+    components.pieces[next[components.ofPiece[piece]]++] = static_cast<Index>(piece);
+  }
+}
+}
+
+Index removeHangingTriangles(Components& components, std::vector<Triple>& triangles, Seams& seams)
+{
+  std::vector<char> hangs(triangles.size(), 0);
+  const std::vector<Index> heirs = findHeirs(triangles, components, seams, hangs);
+  const auto count = static_cast<Index>(std::count(hangs.begin(), hangs.end(), 1));
+  if (count == 0)
+  {
+    return 0;
+  }
+  takeOver(heirs, components);
+  const std::vector<Index> numbers = renumber(heirs, components);
+  for (Index& component : components.ofPiece)
+  {
+    component = numbers[component];
+  }
+  listPieces(components);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (!hangs[t])
+    {
+      const auto& [a, b, c] = triangles[t];
+      triangles[kept++] = { numbers[a], numbers[b], numbers[c] };
+    }
+  }
+  triangles.resize(kept);
+  for (Index& component : seams.components)
+  {
+    component = component == noIndex ? noIndex : numbers[component];
+  }
+  for (FeatureSegment& segment : seams.segments)
+  {
+    segment.ends = { numbers[segment.ends[0]], numbers[segment.ends[1]] };
+  }
+  return count;
+}
+}

@@ -1,0 +1,320 @@
+#include "Features/CurveSampling.h"
+
+#include "Embedding/Distance.h"
+#include "Embedding/Embedding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace remesh
+{
+namespace
+{
+constexpr double finestError = 1e-6;   // of the diagonal: single precision
+constexpr double coarsestError = 0.05; // of the spacing
+constexpr double fineError = 2e-5;     // of the diagonal
+constexpr double fineShare = 0.4;      // of the points, for the sake of the curves' bends
+constexpr double largestShare = 0.6;   // for the fine error; before it grows, and the spacing
+constexpr double growth = 1.25;
+constexpr int mostGrowths = 20;
+constexpr int balancingSteps = 10;
+constexpr double hexagonal = 0.86602540378443864676; // area per point over spacing squared
+
+/** One curve as the sampler sees it. */
+struct Course
+{
+  std::vector<Point3> points;  ///< m + 1
+  std::vector<double> lengths; ///< m + 1, embedded
+};
+
+double squaredDistanceToChord(const Point3& p, const Point3& a, const Point3& b)
+{
+  const Point3 chord = b - a;
+  const double squared = chord.squaredNorm();
+  const double t = squared > 0.0 ? std::clamp((p - a).dot(chord) / squared, 0.0, 1.0) : 0.0;
+  return (p - a - t * chord).squaredNorm();
+}
+
+bool isWithin(const Course& course, Index i, Index j, double error)
+{
+  for (Index k = i + 1; k < j; ++k)
+  {
+    if (squaredDistanceToChord(course.points[k], course.points[i], course.points[j]) >
+      error * error)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** The farthest point up to which one chord from point i does, by doubling and halving. */
+Index reach(const Course& course, Index i, double error)
+{
+  const auto last = static_cast<Index>(course.points.size()) - 1;
+  Index good = i + 1;
+  Index step = 1;
+  while (good + step <= last && isWithin(course, i, good + step, error))
+  {
+    good += step;
+    step *= 2;
+  }
+  for (; step > 0; step /= 2)
+  {
+    if (good + step <= last && isWithin(course, i, good + step, error))
+    {
+      good += step;
+    }
+  }
+  return good;
+}
+
+std::vector<Index> breakGreedily(const Course& course, double error)
+{
+  const auto last = static_cast<Index>(course.points.size()) - 1;
+  std::vector<Index> breaks{ 0 };
+  while (breaks.back() < last)
+  {
+    breaks.push_back(reach(course, breaks.back(), error));
+  }
+  return breaks;
+}
+
+/** As few breaks as the error allows, with the smallest error for that many. */
+std::vector<Index> breakEvenly(const Course& course, double error)
+{
+  std::vector<Index> best = breakGreedily(course, error);
+  if (best.size() <= 2)
+  {
+    return best;
+  }
+  double low = 0.0;
+  double high = error;
+  for (int step = 0; step < balancingSteps; ++step)
+  {
+    const double middle = 0.5 * (low + high);
+    std::vector<Index> breaks = breakGreedily(course, middle);
+    if (breaks.size() <= best.size())
+    {
+      best = std::move(breaks);
+      high = middle;
+    }
+    else
+    {
+      low = middle;
+    }
+  }
+  return best;
+}
+
+/** Pieces of about the spacing in a chord of some length. */
+Index piecesOf(double length, double spacing)
+{
+  return static_cast<Index>(std::clamp(std::ceil(length / spacing - 0.25), 1.0, 1e9));
+}
+
+std::vector<Station> divide(
+  const Course& course, const std::vector<Index>& breaks, double spacing, Index least)
+{
+  std::vector<Index> pieces(breaks.size() - 1);
+  Index total = 0;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    pieces[k] = piecesOf(course.lengths[breaks[k + 1]] - course.lengths[breaks[k]], spacing);
+    total += pieces[k];
+  }
+  while (total < least) // the longest pieces first
+  {
+    std::size_t longest = 0;
+    double length = -1.0;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+    {
+      const double piece = (course.lengths[breaks[k + 1]] - course.lengths[breaks[k]]) / pieces[k];
+      if (piece > length)
+      {
+        length = piece;
+        longest = k;
+      }
+    }
+    ++pieces[longest];
+    ++total;
+  }
+  std::vector<Station> stations;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    const double begin = course.lengths[breaks[k]];
+    const double end = course.lengths[breaks[k + 1]];
+    stations.push_back({ breaks[k], 0.0 });
+    for (Index piece = 1; piece < pieces[k]; ++piece)
+    {
+      const Station station = stationAt(course.lengths, begin + (end - begin) * piece / pieces[k]);
+      if (stations.back() < station && station.segment < breaks[k + 1])
+      {
+        stations.push_back(station);
+      }
+    }
+  }
+  stations.push_back({ static_cast<Index>(course.points.size()) - 2, 1.0 });
+  return stations;
+}
+
+/** The least number of pieces of each curve (step 3), the first of several with the same ends. */
+std::vector<Index> leastPieces(const Features& features)
+{
+  std::map<std::pair<Index, Index>, int> between;
+  std::vector<Index> least(features.curves.size(), 1);
+  for (std::size_t c = 0; c < features.curves.size(); ++c)
+  {
+    const FeatureCurve& curve = features.curves[c];
+    const std::pair<Index, Index> ends = std::minmax(curve.points.front(), curve.points.back());
+    if (curve.closed())
+    {
+      least[c] = 3;
+    }
+    else if (between[ends]++ > 0)
+    {
+      least[c] = 2;
+    }
+  }
+  return least;
+}
+
+Stations sampleWith(
+  const std::vector<Course>& courses, const std::vector<Index>& least, double error, double spacing)
+{
+  Stations stations(courses.size());
+  for (std::size_t c = 0; c < courses.size(); ++c)
+  {
+    stations[c] = divide(courses[c], breakEvenly(courses[c], error), spacing, least[c]);
+  }
+  return stations;
+}
+}
+
+std::vector<double> measureCurve(
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features, Index curve)
+{
+  const FeatureCurve& course = features.curves[curve];
+  std::vector<double> lengths{ 0.0 };
+  for (const Index edge : course.edges)
+  {
+    double squared = 0.0;
+    for (Offset i = features.edges.edgeFacetsBegin[edge];
+         i < features.edges.edgeFacetsBegin[edge + 1]; ++i)
+    {
+      const Index facet = features.edges.edgeFacets[i];
+      const Triple& own = features.edges.facetEdges[facet];
+      const auto k = static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin());
+      const Triple& corners = mesh.facetCorners[facet];
+      squared = std::max(squared,
+        squaredDistance<Eigen::Dynamic>(
+          surface.corner(corners[k]), surface.corner(corners[(k + 1) % 3]), surface.dimension));
+    }
+    lengths.push_back(lengths.back() + std::sqrt(squared));
+  }
+  return lengths;
+}
+
+Station stationAt(const std::vector<double>& lengths, double length)
+{
+  const auto after = std::upper_bound(lengths.begin(), lengths.end(), length);
+  const auto last = static_cast<Index>(lengths.size()) - 2;
+  const Index segment = std::clamp(static_cast<Index>(after - lengths.begin()) - 1, Index(0), last);
+  const double extent = lengths[segment + 1] - lengths[segment];
+  const double t = extent > 0.0 ? std::clamp((length - lengths[segment]) / extent, 0.0, 1.0) : 0.0;
+  // A station at a point is one of the segment that begins there.
+  return t == 1.0 && segment < last ? Station{ segment + 1, 0.0 } : Station{ segment, t };
+}
+
+double lengthAt(const std::vector<double>& lengths, const Station& station)
+{
+  return lengths[station.segment] +
+    station.t * (lengths[station.segment + 1] - lengths[station.segment]);
+}
+
+Station stationAtRadius(
+  const SurfaceMesh& mesh, const FeatureCurve& curve, bool fromFront, double radius)
+{
+  const auto count = static_cast<Index>(curve.edges.size());
+  const Point3& end = mesh.points[fromFront ? curve.points.front() : curve.points.back()];
+  for (Index k = 0; k < count; ++k)
+  {
+    const Index segment = fromFront ? k : count - 1 - k;
+    const Index from = fromFront ? segment : segment + 1;
+    const Point3 a = mesh.points[curve.points[from]] - end;
+    const Point3 b = mesh.points[curve.points[fromFront ? segment + 1 : segment]] - end;
+    if (b.norm() < radius)
+    {
+      continue;
+    }
+    // |a + u (b - a)| = radius, the root in [0, 1].
+    const Point3 along = b - a;
+    const double p = a.dot(along) / along.squaredNorm();
+    const double q = (a.squaredNorm() - radius * radius) / along.squaredNorm();
+    const double u = std::clamp(-p + std::sqrt(std::max(0.0, p * p - q)), 0.0, 1.0);
+    return { segment, fromFront ? u : 1.0 - u };
+  }
+  return fromFront ? Station{ count - 1, 1.0 } : Station{ 0, 0.0 };
+}
+
+Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, Offset numberOfPoints, Offset& needed)
+{
+  std::vector<Course> courses(features.curves.size());
+  for (std::size_t c = 0; c < courses.size(); ++c)
+  {
+    for (const Index point : features.curves[c].points)
+    {
+      courses[c].points.push_back(mesh.points[point]);
+    }
+    courses[c].lengths = measureCurve(mesh, surface, features, static_cast<Index>(c));
+  }
+  const std::vector<Index> least = leastPieces(features);
+  const auto n = static_cast<double>(numberOfPoints);
+  double length = 0.0;
+  for (const Course& course : courses)
+  {
+    length += course.lengths.back();
+  }
+  // Slivers have next to no area.
+  double spacing = std::max(std::sqrt(surface.mass / (hexagonal * n)), length / n);
+  double error = finestError * boundingBoxDiagonal(mesh);
+  double coarsest = std::max(error, coarsestError * spacing * surface.unit);
+  const auto countWith = [&](Stations& stations)
+  {
+    stations = sampleWith(courses, least, error, spacing);
+    return static_cast<double>(countFeaturePoints(features, stations));
+  };
+  Stations stations;
+  double count = countWith(stations);
+  const double fine = fineError * boundingBoxDiagonal(mesh);
+  coarsest = std::max(fine, coarsest);
+  while ((count > fineShare * n && error < fine) || (count > largestShare * n && error < coarsest))
+  {
+    error = std::min(2.0 * error, error < fine ? fine : coarsest);
+    count = countWith(stations);
+  }
+  needed = countFeaturePoints(
+    features, sampleWith(courses, least, coarsest, std::numeric_limits<double>::infinity()));
+  for (int k = 0; k < mostGrowths && count > largestShare * n; ++k)
+  {
+    spacing *= growth;
+    error *= growth;
+    count = countWith(stations);
+  }
+  return stations;
+}
+
+Offset countFeaturePoints(const Features& features, const Stations& stations)
+{
+  auto count = static_cast<Offset>(features.corners.size());
+  for (std::size_t c = 0; c < stations.size(); ++c)
+  {
+    // A curve's ends are corners; a closed curve without corner begins and ends at one vertex.
+    count += static_cast<Offset>(stations[c].size()) - (features.curves[c].hasCorners ? 2 : 1);
+  }
+  return count;
+}
+}

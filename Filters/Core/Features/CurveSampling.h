@@ -1,0 +1,65 @@
+/**
+ * @file CurveSampling.h
+ * @brief Where along the feature curves a mesh gets its points.
+ */
+#ifndef remesh_CurveSampling_h
+#define remesh_CurveSampling_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Features/Features.h"
+
+namespace remesh
+{
+/** A place on a curve: on its edge `segment`, from point `segment` (t = 0) to the next. */
+struct Station
+{
+  Index segment;
+  double t; ///< [0, 1); 1 only at the very end of a curve
+
+  bool operator<(const Station& other) const
+  {
+    return this->segment != other.segment ? this->segment < other.segment : this->t < other.t;
+  }
+};
+
+/** For each curve, places in ascending order; both ends are among them, also of closed curves. */
+using Stations = std::vector<std::vector<Station>>;
+
+/** Length along a curve in the embedding, at each of its points (m + 1): of its finest side. */
+std::vector<double> measureCurve(
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features, Index curve);
+
+/** The place at some length of a curve with these lengths at its points. */
+Station stationAt(const std::vector<double>& lengths, double length);
+
+/** The length at a place. */
+double lengthAt(const std::vector<double>& lengths, const Station& station);
+
+/** The first place from one end of a curve that is at some distance from that end in R^3. */
+Station stationAtRadius(
+  const SurfaceMesh& mesh, const FeatureCurve& curve, bool fromFront, double radius);
+
+/**
+ * Divides each curve evenly in embedded length.
+ *
+ * 1. Breaks at points of the curve, as few as keep the chords within a distance of it, and so that
+ *    the chords' errors are balanced. The distance is the finest for which the curves take no more
+ *    than two fifths of the points, from 1e-6 of the diagonal; or, where that is not to be had, the
+ *    finest for three fifths of them, from 2e-5 to a twentieth of the points' spacing.
+ * 2. Chords longer than the spacing that `numberOfPoints` give are divided evenly. Where the curves
+ *    would take more than three fifths of the points, distance and spacing grow along them.
+ * 3. A closed curve has three places at least; no two curves share both ends without a place
+ *    between them.
+ *
+ * @param numberOfPoints of the whole mesh.
+ * @param needed vertices that corners and bends alone take, at the coarsest distance.
+ * Cost: O(V log V) for V points on curves, times the tries for the distance.
+ */
+Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, Offset numberOfPoints, Offset& needed);
+
+/** The vertices that a mesh has on its features: corners, and places between. */
+Offset countFeaturePoints(const Features& features, const Stations& stations);
+}
+
+#endif

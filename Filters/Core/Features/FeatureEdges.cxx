@@ -1,0 +1,141 @@
+#include "Features/FeatureEdges.h"
+
+#include "Mesh/FacetGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+constexpr double resolution = 1e-6; // of the diagonal: what single precision can tell
+constexpr int mostSteps = 8;        // over thin facets, to one with a normal
+
+double diagonalOf(const SurfaceMesh& mesh)
+{
+  Point3 lower = mesh.points.front();
+  Point3 upper = lower;
+  for (const Point3& point : mesh.points)
+  {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  return (upper - lower).norm();
+}
+
+struct FacetShape
+{
+  Point3 normal;
+  bool thin;   ///< too thin for its normal to mean anything
+  int longest; ///< its longest edge
+};
+
+FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double leastHeight)
+{
+  const Triple& points = mesh.facetPoints[facet];
+  const Point3* p[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    p[k] = &mesh.points[points[k]];
+  }
+  FacetShape shape{ facetNormal(*p[0], *p[1], *p[2]), false, 0 };
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double length = (*p[(k + 1) % 3] - *p[k]).norm();
+    if (length > longest)
+    {
+      longest = length;
+      shape.longest = k;
+    }
+  }
+  shape.thin = 2.0 * facetArea(*p[0], *p[1], *p[2]) < leastHeight * longest;
+  return shape;
+}
+
+/** Whether both facets run along their common edge in the same direction: one is turned over. */
+bool opposed(const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, Index first, Index second)
+{
+  const auto start = [&](Index facet)
+  {
+    const Triple& own = edges.facetEdges[facet];
+    const auto k = std::find(own.begin(), own.end(), edge) - own.begin();
+    return mesh.facetPoints[facet][k];
+  };
+  return start(first) == start(second);
+}
+
+/** The facet beyond an edge of two facets, or noIndex. */
+Index beyond(const EdgeTable& edges, Index edge, Index facet)
+{
+  if (edges.valence(edge) != 2)
+  {
+    return noIndex;
+  }
+  const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+  return around[0] == facet ? around[1] : around[0];
+}
+
+std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& edges)
+{
+  const double leastHeight = resolution * diagonalOf(mesh);
+  const Index count = mesh.numberOfFacets();
+  std::vector<FacetShape> shapes(static_cast<std::size_t>(count));
+  for (Index f = 0; f < count; ++f)
+  {
+    shapes[f] = shapeOf(mesh, f, leastHeight);
+  }
+  std::vector<Point3> normals(shapes.size());
+  for (Index f = 0; f < count; ++f)
+  {
+    Index at = f;
+    double sign = 1.0;
+    for (int step = 0; step < mostSteps && shapes[at].thin; ++step)
+    {
+      const Index edge = edges.facetEdges[at][shapes[at].longest];
+      const Index next = beyond(edges, edge, at);
+      if (next == noIndex)
+      {
+        break;
+      }
+      sign = opposed(mesh, edges, edge, at, next) ? -sign : sign;
+      at = next;
+    }
+    normals[f] = shapes[at].thin ? shapes[f].normal : Point3(sign * shapes[at].normal);
+  }
+  return normals;
+}
+}
+
+FeatureEdges findFeatureEdges(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options)
+{
+  const std::vector<Point3> normals = reliableNormals(mesh, edges);
+  const double pi = std::acos(-1.0);
+  const double flat = std::cos(weakShare * options.angleDegrees * pi / 180.0);
+  const double leastCosine = std::cos(options.angleDegrees * pi / 180.0);
+  FeatureEdges features;
+  features.kinds.resize(static_cast<std::size_t>(edges.numberOfEdges()));
+  features.angles.resize(features.kinds.size(), 0.0F);
+  for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+  {
+    const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+    if (edges.valence(edge) != 2)
+    {
+      features.kinds[edge] =
+        edges.valence(edge) == 1 ? FeatureKind::Boundary : FeatureKind::NonManifold;
+      continue;
+    }
+    const bool bordersLabels = !options.facetLabels.empty() &&
+      options.facetLabels[around[0]] != options.facetLabels[around[1]];
+    const double sign = opposed(mesh, edges, edge, around[0], around[1]) ? -1.0 : 1.0;
+    const double cosine = sign * normals[around[0]].dot(normals[around[1]]);
+    features.angles[edge] =
+      cosine > flat ? 0.0F : static_cast<float>(std::acos(std::clamp(cosine, -1.0, 1.0)));
+    features.kinds[edge] =
+      bordersLabels || cosine < leastCosine ? FeatureKind::Crease : FeatureKind::None;
+  }
+  return features;
+}
+}

@@ -1,0 +1,57 @@
+/**
+ * @file FeatureEdges.h
+ * @brief Which edges of a surface are features.
+ */
+#ifndef remesh_FeatureEdges_h
+#define remesh_FeatureEdges_h
+
+#include "Features/Features.h"
+
+namespace remesh
+{
+/** Share of the feature angle above which edges may continue a feature. */
+constexpr double weakShare = 0.5;
+
+struct FeatureOptions
+{
+  double angleDegrees = 35.0;     ///< creases: angle between the facets' normals above this
+  std::vector<Index> facetLabels; ///< F, or empty: edges between different labels are features
+  double spacing = 0.0;           ///< of the points to come, in the unit of the points
+};
+
+struct FeatureEdges
+{
+  std::vector<FeatureKind> kinds; ///< E
+  /** E, between the facets' normals, radians; 0 below `weakShare` of the angle, and at other edges.
+   */
+  std::vector<float> angles;
+};
+
+/**
+ * The kind of each edge. Facets thinner than what single precision resolves (1e-6 of the
+ * bounding-box diagonal) have no normal of their own: they take that of the facet beyond their
+ * longest edge. O(F).
+ */
+FeatureEdges findFeatureEdges(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options);
+
+/**
+ * Drops creases that are small against the spacing: connected sets of crease edges whose extent is
+ * below a few spacings, more if they are weak and zigzag or branch like noise, less if they are
+ * strong or close to a smooth loop; and short dead ends of the others. Borders, non-manifold edges
+ * and borders of labels stay.
+ *
+ * @return the number of edges dropped. O(F).
+ */
+Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, FeatureEdges& features);
+/**
+ * Goes on from the loose ends of creases along edges of at least half the angle, as straight as
+ * they come, and keeps what leads to another feature: creases whose angle wavers are not left in
+ * pieces. O(F).
+ */
+void bridgeGaps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options,
+  FeatureEdges& features);
+}
+
+#endif

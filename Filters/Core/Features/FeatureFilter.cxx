@@ -1,0 +1,277 @@
+/**
+ * @file FeatureFilter.cxx
+ *
+ * What tells a crease from noise, as far as a mesh of some spacing is concerned: it is longer than
+ * a few spacings, or closes smoothly, and it neither zigzags from edge to edge nor branches every
+ * few edges.
+ */
+#include "Features/FeatureEdges.h"
+
+#include "Support/DisjointSets.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+// Extents in spacings.
+constexpr double leastLoop = 1.0;
+constexpr double leastCrease = 2.5;
+constexpr double leastStraight = 1.5;
+constexpr double leastStrong = 1.5;
+constexpr double leastFine = 5.0; // of edges much shorter than the spacing
+constexpr double leastWiggle = 12.0;
+constexpr double leastSpur = 1.5;
+
+constexpr double fineEdge = 0.7;        // mean length, in spacings
+constexpr double strongAngle = 1.05;    // radians, mean along the crease
+constexpr double largestMeanTurn = 0.5; // radians
+constexpr double largestSmoothTurn = 0.35;
+constexpr double largestStraightTurn = 0.2;
+constexpr double mostPerEdge = 0.15; // branches and ends beyond two
+constexpr double mostPerSpacing = 0.3;
+
+/** The droppable edges and what meets at the points. */
+struct CreaseGraph
+{
+  const SurfaceMesh& mesh;
+  std::vector<std::array<Index, 2>> ends; ///< E, points of each edge
+  std::vector<char> droppable;            ///< E
+  std::vector<Offset> begin;              ///< V + 1, into `around`
+  std::vector<Index> around;              ///< feature edges at each point, ascending
+
+  Index degree(Index point) const
+  {
+    return static_cast<Index>(this->begin[point + 1] - this->begin[point]);
+  }
+  double length(Index edge) const
+  {
+    return (this->mesh.points[this->ends[edge][0]] - this->mesh.points[this->ends[edge][1]]).norm();
+  }
+  Index other(Index edge, Index point) const
+  {
+    return this->ends[edge][this->ends[edge][0] == point ? 1 : 0];
+  }
+};
+
+void listEdgesAroundPoints(const std::vector<FeatureKind>& kinds, CreaseGraph& graph)
+{
+  graph.begin.assign(graph.mesh.points.size() + 1, 0);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    if (kinds[e] != FeatureKind::None)
+    {
+      ++graph.begin[graph.ends[e][0] + 1];
+      ++graph.begin[graph.ends[e][1] + 1];
+    }
+  }
+  for (std::size_t p = 1; p < graph.begin.size(); ++p)
+  {
+    graph.begin[p] += graph.begin[p - 1];
+  }
+  graph.around.resize(static_cast<std::size_t>(graph.begin.back()));
+  std::vector<Offset> next(graph.begin.begin(), graph.begin.end() - 1);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    if (kinds[e] != FeatureKind::None)
+    {
+      graph.around[next[graph.ends[e][0]]++] = static_cast<Index>(e);
+      graph.around[next[graph.ends[e][1]]++] = static_cast<Index>(e);
+    }
+  }
+}
+
+CreaseGraph makeGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, const std::vector<FeatureKind>& kinds)
+{
+  CreaseGraph graph{ mesh, {}, {}, {}, {} };
+  graph.ends.resize(kinds.size());
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      graph.ends[edges.facetEdges[f][k]] = { mesh.facetPoints[f][k],
+        mesh.facetPoints[f][(k + 1) % 3] };
+    }
+  }
+  graph.droppable.assign(kinds.size(), 0);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[e];
+    graph.droppable[e] = kinds[e] == FeatureKind::Crease &&
+      (options.facetLabels.empty() ||
+        options.facetLabels[around[0]] == options.facetLabels[around[1]]);
+  }
+  listEdgesAroundPoints(kinds, graph);
+  return graph;
+}
+
+/** What is known of one connected set of features. */
+struct Cluster
+{
+  Eigen::AlignedBox3d box;
+  Index edges = 0;
+  Index irregular = 0; ///< points where not just two features meet
+  Index turns = 0;
+  double turning = 0.0; ///< sum of the angles between consecutive edges
+  double length = 0.0;
+  double strength = 0.0; ///< sum of length times the angle between the facets
+  bool fixed = false;    ///< holds an edge that must stay
+};
+
+double turnAt(const CreaseGraph& graph, Index point)
+{
+  const Index a = graph.around[graph.begin[point]];
+  const Index b = graph.around[graph.begin[point] + 1];
+  const Point3& at = graph.mesh.points[point];
+  const Point3 in = at - graph.mesh.points[graph.other(a, point)];
+  const Point3 out = graph.mesh.points[graph.other(b, point)] - at;
+  return std::atan2(in.cross(out).norm(), in.dot(out));
+}
+
+bool isNoise(const Cluster& cluster, double spacing)
+{
+  if (cluster.fixed)
+  {
+    return false;
+  }
+  const double extent = cluster.box.diagonal().norm() / spacing;
+  const bool loop = cluster.irregular == 0;
+  const bool fine = cluster.length < fineEdge * spacing * cluster.edges;
+  const double meanTurn = cluster.turns > 0 ? cluster.turning / cluster.turns : 0.0;
+  const double branches = std::max(0, cluster.irregular - 2);
+  const bool branching =
+    branches > mostPerEdge * cluster.edges && branches > mostPerSpacing * cluster.length / spacing;
+  const bool rough = fine && (branching || meanTurn > largestSmoothTurn);
+  const bool wiggles = meanTurn > largestMeanTurn || branching;
+  if (cluster.strength > strongAngle * cluster.length)
+  {
+    return extent < (rough ? leastFine : loop ? leastLoop : leastStrong);
+  }
+  if (wiggles)
+  {
+    return extent < leastWiggle;
+  }
+  const bool straight = !fine && cluster.irregular <= 2 && meanTurn < largestSmoothTurn;
+  const bool smooth = cluster.irregular <= 2 && meanTurn < largestStraightTurn;
+  const double least = rough ? leastFine
+    : loop                   ? leastLoop
+    : straight               ? leastStraight
+    : fine && !smooth        ? leastFine
+                             : leastCrease;
+  return extent < least;
+}
+
+std::vector<Cluster> measureClusters(
+  const CreaseGraph& graph, const FeatureEdges& features, DisjointSets& sets)
+{
+  const std::vector<FeatureKind>& kinds = features.kinds;
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    if (kinds[e] != FeatureKind::None)
+    {
+      sets.unite(graph.ends[e][0], graph.ends[e][1]);
+    }
+  }
+  std::vector<Cluster> clusters(graph.mesh.points.size());
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    if (kinds[e] != FeatureKind::None)
+    {
+      Cluster& cluster = clusters[sets.find(graph.ends[e][0])];
+      ++cluster.edges;
+      const double length = graph.length(static_cast<Index>(e));
+      cluster.length += length;
+      cluster.strength += length * features.angles[e];
+      cluster.fixed = cluster.fixed || !graph.droppable[e];
+    }
+  }
+  for (Index p = 0; p < graph.mesh.numberOfPoints(); ++p)
+  {
+    if (graph.degree(p) == 0)
+    {
+      continue;
+    }
+    Cluster& cluster = clusters[sets.find(p)];
+    cluster.box.extend(graph.mesh.points[p]);
+    cluster.irregular += graph.degree(p) != 2;
+    if (graph.degree(p) == 2)
+    {
+      ++cluster.turns;
+      cluster.turning += turnAt(graph, p);
+    }
+  }
+  return clusters;
+}
+
+/** Removes dead ends that branch off another feature within less than `longest`. */
+Index dropSpurs(const CreaseGraph& graph, double longest, std::vector<FeatureKind>& kinds)
+{
+  Index dropped = 0;
+  std::vector<Index> chain;
+  for (Index p = 0; p < graph.mesh.numberOfPoints(); ++p)
+  {
+    if (graph.degree(p) != 1)
+    {
+      continue;
+    }
+    chain.clear();
+    double length = 0.0;
+    Index at = p;
+    Index edge = graph.around[graph.begin[p]];
+    while (true)
+    {
+      chain.push_back(edge);
+      length += graph.length(edge);
+      at = graph.other(edge, at);
+      if (graph.degree(at) != 2 || length >= longest || !graph.droppable[edge])
+      {
+        break;
+      }
+      const Offset begin = graph.begin[at];
+      edge = graph.around[begin] == edge ? graph.around[begin + 1] : graph.around[begin];
+    }
+    const bool droppable =
+      std::all_of(chain.begin(), chain.end(), [&](Index e) { return graph.droppable[e] != 0; });
+    if (length < longest && graph.degree(at) > 2 && droppable)
+    {
+      for (const Index e : chain)
+      {
+        kinds[e] = FeatureKind::None;
+      }
+      dropped += static_cast<Index>(chain.size());
+    }
+  }
+  return dropped;
+}
+}
+
+Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, FeatureEdges& features)
+{
+  std::vector<FeatureKind>& kinds = features.kinds;
+  if (!(options.spacing > 0.0))
+  {
+    return 0;
+  }
+  CreaseGraph graph = makeGraph(mesh, edges, options, kinds);
+  Index dropped = dropSpurs(graph, leastSpur * options.spacing, kinds);
+  listEdgesAroundPoints(kinds, graph);
+  DisjointSets sets(mesh.points.size());
+  const std::vector<Cluster> clusters = measureClusters(graph, features, sets);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    if (kinds[e] != FeatureKind::None &&
+      isNoise(clusters[sets.find(graph.ends[e][0])], options.spacing))
+    {
+      kinds[e] = FeatureKind::None;
+      ++dropped;
+    }
+  }
+  return dropped;
+}
+}

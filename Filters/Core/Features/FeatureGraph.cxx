@@ -1,0 +1,316 @@
+#include "Features/FeatureGraph.h"
+
+#include "Support/DisjointSets.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+constexpr double leastCosineOfTurn = 0.5; // sharper turns are corners
+
+/** The feature edges at each point. */
+struct PointEdges
+{
+  std::vector<std::array<Index, 2>> ends; ///< E
+  std::vector<Offset> begin;              ///< V + 1
+  std::vector<Index> edges;               ///< ascending at each point
+
+  Index degree(Index point) const
+  {
+    return static_cast<Index>(this->begin[point + 1] - this->begin[point]);
+  }
+  Index at(Index point, Index k) const { return this->edges[this->begin[point] + k]; }
+  Index other(Index edge, Index point) const
+  {
+    return this->ends[edge][this->ends[edge][0] == point ? 1 : 0];
+  }
+};
+
+PointEdges collectPointEdges(const SurfaceMesh& mesh, const Features& features)
+{
+  PointEdges table;
+  table.ends.resize(features.kinds.size(), { noIndex, noIndex });
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      std::array<Index, 2>& ends = table.ends[features.edges.facetEdges[f][k]];
+      if (ends[0] == noIndex)
+      {
+        ends = { mesh.facetPoints[f][k], mesh.facetPoints[f][(k + 1) % 3] };
+      }
+    }
+  }
+  table.begin.assign(mesh.points.size() + 1, 0);
+  const auto forEachEnd = [&](const auto& visit)
+  {
+    for (std::size_t e = 0; e < features.kinds.size(); ++e)
+    {
+      if (features.kinds[e] != FeatureKind::None)
+      {
+        visit(table.ends[e][0], static_cast<Index>(e));
+        visit(table.ends[e][1], static_cast<Index>(e));
+      }
+    }
+  };
+  forEachEnd([&](Index point, Index) { ++table.begin[point + 1]; });
+  for (std::size_t p = 1; p < table.begin.size(); ++p)
+  {
+    table.begin[p] += table.begin[p - 1];
+  }
+  table.edges.resize(static_cast<std::size_t>(table.begin.back()));
+  std::vector<Offset> next(table.begin.begin(), table.begin.end() - 1);
+  forEachEnd([&](Index point, Index edge) { table.edges[next[point]++] = edge; });
+  return table;
+}
+
+bool isCorner(
+  const SurfaceMesh& mesh, const Features& features, const PointEdges& table, Index point)
+{
+  if (table.degree(point) != 2)
+  {
+    return table.degree(point) > 0;
+  }
+  const Index a = table.at(point, 0);
+  const Index b = table.at(point, 1);
+  if (features.kinds[a] != features.kinds[b])
+  {
+    return true;
+  }
+  const Point3& at = mesh.points[point];
+  const Point3 in = (at - mesh.points[table.other(a, point)]).stableNormalized();
+  const Point3 out = (mesh.points[table.other(b, point)] - at).stableNormalized();
+  return in.dot(out) < leastCosineOfTurn;
+}
+
+/** Follows a curve from a point along an edge, to the next corner or round to where it began. */
+FeatureCurve follow(const Features& features, const PointEdges& table,
+  const std::vector<char>& corners, Index start, Index edge, std::vector<char>& used)
+{
+  FeatureCurve curve;
+  curve.kind = features.kinds[edge];
+  curve.points.push_back(start);
+  Index at = start;
+  while (true)
+  {
+    used[edge] = 1;
+    curve.edges.push_back(edge);
+    at = table.other(edge, at);
+    curve.points.push_back(at);
+    if (corners[at] || at == start)
+    {
+      break;
+    }
+    edge = table.at(at, 0) == edge ? table.at(at, 1) : table.at(at, 0);
+  }
+  return curve;
+}
+}
+
+void traceCurves(const SurfaceMesh& mesh, Features& features)
+{
+  const PointEdges table = collectPointEdges(mesh, features);
+  std::vector<char> corners(mesh.points.size(), 0);
+  for (const Index point : features.corners)
+  {
+    corners[point] = 1; // where fans touch
+  }
+  features.corners.clear();
+  for (Index p = 0; p < mesh.numberOfPoints(); ++p)
+  {
+    corners[p] = corners[p] || isCorner(mesh, features, table, p);
+    if (corners[p])
+    {
+      features.corners.push_back(p);
+    }
+  }
+  std::vector<char> used(features.kinds.size(), 0);
+  for (const Index point : features.corners)
+  {
+    for (Index k = 0; k < table.degree(point); ++k)
+    {
+      if (!used[table.at(point, k)])
+      {
+        features.curves.push_back(
+          follow(features, table, corners, point, table.at(point, k), used));
+      }
+    }
+  }
+  for (std::size_t e = 0; e < features.kinds.size(); ++e)
+  {
+    if (features.kinds[e] != FeatureKind::None && !used[e])
+    {
+      features.curves.push_back(
+        follow(features, table, corners, table.ends[e][0], static_cast<Index>(e), used));
+      features.curves.back().hasCorners = false;
+    }
+  }
+}
+
+namespace
+{
+/** Unites the corners of two facets at both ends of their common edge. */
+void joinFans(const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, DisjointSets& fans)
+{
+  const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+  const Index a = around[0];
+  const Index b = around[1];
+  const Triple& own = edges.facetEdges[a];
+  const int k = static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin());
+  for (const int end : { k, (k + 1) % 3 })
+  {
+    const Triple& others = mesh.facetPoints[b];
+    const auto at = std::find(others.begin(), others.end(), mesh.facetPoints[a][end]);
+    fans.unite(3 * a + end, 3 * b + static_cast<Index>(at - others.begin()));
+  }
+}
+
+/** Facets joined by edges that are no features. */
+void findPatches(Features& features)
+{
+  DisjointSets patches(features.edges.facetEdges.size());
+  for (Index e = 0; e < features.edges.numberOfEdges(); ++e)
+  {
+    if (features.kinds[e] == FeatureKind::None)
+    {
+      const Offset begin = features.edges.edgeFacetsBegin[e];
+      patches.unite(features.edges.edgeFacets[begin], features.edges.edgeFacets[begin + 1]);
+    }
+  }
+  features.facetPatches.resize(features.edges.facetEdges.size());
+  features.numberOfPatches = 0;
+  for (std::size_t f = 0; f < features.facetPatches.size(); ++f)
+  {
+    const Index root = patches.find(static_cast<Index>(f));
+    features.facetPatches[f] =
+      root == static_cast<Index>(f) ? features.numberOfPatches++ : features.facetPatches[root];
+  }
+}
+
+/** Features between different patches, and those that are no creases. */
+void findCuts(Features& features)
+{
+  features.cuts.assign(features.kinds.size(), 0);
+  for (std::size_t e = 0; e < features.kinds.size(); ++e)
+  {
+    const Index* around = features.edges.edgeFacets.data() + features.edges.edgeFacetsBegin[e];
+    features.cuts[e] = features.kinds[e] != FeatureKind::None &&
+      (features.kinds[e] != FeatureKind::Crease ||
+        features.facetPatches[around[0]] != features.facetPatches[around[1]]);
+  }
+}
+
+/** Numbers the corners as the facets meet them; returns how many fans each point has. */
+std::vector<Index> numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
+{
+  std::vector<Index> cornerOfFan(3 * mesh.facetPoints.size(), noIndex);
+  std::vector<Index> fansOfPoint(mesh.points.size(), 0);
+  mesh.cornerPoints.clear();
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      Index& corner = cornerOfFan[fans.find(3 * f + k)];
+      if (corner == noIndex)
+      {
+        corner = mesh.numberOfCorners();
+        mesh.cornerPoints.push_back(mesh.facetPoints[f][k]);
+        ++fansOfPoint[mesh.facetPoints[f][k]];
+      }
+      mesh.facetCorners[f][k] = corner;
+    }
+  }
+  return fansOfPoint;
+}
+}
+
+void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
+{
+  findPatches(features);
+  findCuts(features);
+  DisjointSets fans(3 * mesh.facetPoints.size()); // of the facets' corners
+  for (Index e = 0; e < features.edges.numberOfEdges(); ++e)
+  {
+    if (!features.cuts[e])
+    {
+      joinFans(mesh, features.edges, e, fans);
+    }
+  }
+  const std::vector<Index> fansOfPoint = numberCorners(mesh, fans);
+  std::vector<char> onFeature(mesh.points.size(), 0);
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (features.kind(f, k) != FeatureKind::None)
+      {
+        onFeature[mesh.facetPoints[f][k]] = onFeature[mesh.facetPoints[f][(k + 1) % 3]] = 1;
+      }
+    }
+  }
+  // Without a feature there is one fan, unless shells touch in the point.
+  for (Index p = 0; p < mesh.numberOfPoints(); ++p)
+  {
+    if (!onFeature[p] && fansOfPoint[p] > 1)
+    {
+      features.corners.push_back(p);
+    }
+  }
+}
+
+Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options)
+{
+  Features features;
+  features.edges = buildEdgeTable(mesh.facetPoints);
+  FeatureEdges found = findFeatureEdges(mesh, features.edges, options);
+  features.droppedEdges = dropSmallFeatures(mesh, features.edges, options, found);
+  bridgeGaps(mesh, features.edges, options, found);
+  features.kinds = std::move(found.kinds);
+  cutAlongFeatures(mesh, features);
+  traceCurves(mesh, features);
+  return features;
+}
+
+EdgeTable buildCutEdgeTable(const SurfaceMesh& mesh, const Features& features)
+{
+  EdgeTable table;
+  const std::size_t count = mesh.facetPoints.size();
+  table.facetEdges.resize(count);
+  std::vector<Index> number(features.kinds.size(), noIndex);
+  std::vector<Index> valences;
+  for (std::size_t f = 0; f < count; ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index edge = features.edges.facetEdges[f][k];
+      const bool cut = features.cuts[edge] != 0;
+      if (cut || number[edge] == noIndex)
+      {
+        number[edge] = static_cast<Index>(valences.size());
+        valences.push_back(0);
+      }
+      table.facetEdges[f][k] = number[edge];
+      ++valences[number[edge]];
+    }
+  }
+  table.edgeFacetsBegin.assign(valences.size() + 1, 0);
+  for (std::size_t e = 0; e < valences.size(); ++e)
+  {
+    table.edgeFacetsBegin[e + 1] = table.edgeFacetsBegin[e] + valences[e];
+  }
+  table.edgeFacets.resize(3 * count);
+  std::vector<Offset> next(table.edgeFacetsBegin.begin(), table.edgeFacetsBegin.end() - 1);
+  for (std::size_t f = 0; f < count; ++f)
+  {
+    for (const Index edge : table.facetEdges[f])
+    {
+      table.edgeFacets[next[edge]++] = static_cast<Index>(f);
+    }
+  }
+  return table;
+}
+}

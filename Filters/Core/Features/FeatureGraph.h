@@ -1,0 +1,40 @@
+/**
+ * @file FeatureGraph.h
+ * @brief From feature edges to corners and curves, and the surface cut open along them.
+ */
+#ifndef remesh_FeatureGraph_h
+#define remesh_FeatureGraph_h
+
+#include "Features/FeatureEdges.h"
+
+namespace remesh
+{
+/**
+ * Strings the feature edges together. Corners are the points where not just two of them meet, two
+ * of different kinds meet, or a curve turns sharply (by more than 60 degrees).
+ *
+ * Curves from corners come first, in the order of their corners and edges; then those without, in
+ * the order of their edges. O(V + E).
+ */
+void traceCurves(const SurfaceMesh& mesh, Features& features);
+
+/**
+ * Finds the patches, and cuts the surface open between them: each fan of facets around a point,
+ * joined by edges that are not cut, gets an embedded corner of its own (`facetCorners`,
+ * `cornerPoints`), numbered as the facets meet them, and the facets get the ids of their patches
+ * (parts of the surface that features enclose). Fans that touch in just a point make that point a
+ * corner of the graph. O(F).
+ */
+void cutAlongFeatures(SurfaceMesh& mesh, Features& features);
+
+/** All of it: edges, small ones dropped, corners, curves, fans and patches. */
+Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options);
+
+/**
+ * The edges of the surface as it is embedded: as its points have them, but where it is cut open
+ * each facet has an edge of its own.
+ */
+EdgeTable buildCutEdgeTable(const SurfaceMesh& mesh, const Features& features);
+}
+
+#endif

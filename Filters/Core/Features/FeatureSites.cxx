@@ -1,0 +1,249 @@
+#include "Features/FeatureSites.h"
+
+#include "Support/Random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+/** Makes the copies of one vertex after the other. */
+class Builder
+{
+public:
+  Builder(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
+    FeatureSites& result)
+    : m_mesh(mesh)
+    , m_surface(surface)
+    , m_features(features)
+    , m_result(result)
+    , m_coordinates(static_cast<std::size_t>(surface.dimension))
+  {
+    result.sites.dimension = surface.dimension;
+    result.seatBegin.push_back(0);
+    this->listCorners();
+  }
+
+  /** A vertex at a point of the surface, with a copy for each corner there. */
+  Index addAtPoint(Index point, Index curve)
+  {
+    this->begin(m_mesh.points[point], curve);
+    for (Offset i = m_cornersBegin[point]; i < m_cornersBegin[point + 1]; ++i)
+    {
+      const Index corner = m_corners[i];
+      std::copy_n(m_surface.corner(corner), m_surface.dimension, m_coordinates.begin());
+      const auto [facet, k] = m_facetOfCorner[corner];
+      Seat seat{ facet, { 0.0, 0.0, 0.0 }, this->copyHere() };
+      seat.b[k] = 1.0;
+      m_result.seats.push_back(seat);
+    }
+    return this->end();
+  }
+
+  /** A vertex inside an edge, with a copy for each facet around it. */
+  Index addOnEdge(Index edge, Index start, double t, Index curve)
+  {
+    const auto [firstFacet, firstK] = this->sideOf(edge, 0);
+    const Triple& ends = m_mesh.facetPoints[firstFacet];
+    const Index a = ends[firstK];
+    const Index b = ends[(firstK + 1) % 3];
+    const double along = a == start ? t : 1.0 - t;
+    this->begin((1.0 - along) * m_mesh.points[a] + along * m_mesh.points[b], curve);
+    for (Index side = 0; side < m_features.edges.valence(edge); ++side)
+    {
+      const auto [facet, k] = this->sideOf(edge, side);
+      const int l = (k + 1) % 3;
+      const double there = m_mesh.facetPoints[facet][k] == start ? t : 1.0 - t;
+      const double* p = m_surface.corner(m_mesh.facetCorners[facet][k]);
+      const double* q = m_surface.corner(m_mesh.facetCorners[facet][l]);
+      // From the same end in all facets, so that equal sides give equal copies.
+      const bool turned = m_mesh.facetPoints[facet][k] != a;
+      for (int c = 0; c < m_surface.dimension; ++c)
+      {
+        const double from = turned ? q[c] : p[c];
+        const double to = turned ? p[c] : q[c];
+        m_coordinates[c] = from == to ? from : (1.0 - along) * from + along * to;
+      }
+      Seat seat{ facet, { 0.0, 0.0, 0.0 }, this->copyHere() };
+      seat.b[k] = 1.0 - there;
+      seat.b[l] = there;
+      m_result.seats.push_back(seat);
+    }
+    return this->end();
+  }
+
+private:
+  void listCorners()
+  {
+    const std::size_t count = m_mesh.cornerPoints.size();
+    m_cornersBegin.assign(m_mesh.points.size() + 1, 0);
+    for (const Index point : m_mesh.cornerPoints)
+    {
+      ++m_cornersBegin[static_cast<std::size_t>(point) + 1];
+    }
+    for (std::size_t p = 1; p < m_cornersBegin.size(); ++p)
+    {
+      m_cornersBegin[p] += m_cornersBegin[p - 1];
+    }
+    m_corners.resize(count);
+    std::vector<Offset> next(m_cornersBegin.begin(), m_cornersBegin.end() - 1);
+    for (std::size_t c = 0; c < count; ++c)
+    {
+      m_corners[next[m_mesh.cornerPoints[c]]++] = static_cast<Index>(c);
+    }
+    m_facetOfCorner.assign(count, { noIndex, 0 });
+    for (Index f = 0; f < m_mesh.numberOfFacets(); ++f)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        auto& first = m_facetOfCorner[m_mesh.facetCorners[f][k]];
+        if (first.first == noIndex)
+        {
+          first = { f, k };
+        }
+      }
+    }
+  }
+
+  /** Facet and place of the edge in it. */
+  std::pair<Index, int> sideOf(Index edge, Index side) const
+  {
+    const Index facet = m_features.edges.edgeFacets[m_features.edges.edgeFacetsBegin[edge] + side];
+    const Triple& own = m_features.edges.facetEdges[facet];
+    return { facet, static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin()) };
+  }
+
+  void begin(const Point3& place, Index curve)
+  {
+    m_result.points.push_back({ place, curve == noIndex, curve });
+    m_result.firstCopy.push_back(m_result.sites.count());
+  }
+
+  /** The copy of the current vertex with the current coordinates, made if it is new. */
+  Index copyHere()
+  {
+    for (Index site = m_result.firstCopy.back(); site < m_result.sites.count(); ++site)
+    {
+      if (std::equal(m_coordinates.begin(), m_coordinates.end(), m_result.sites.site(site)))
+      {
+        return site;
+      }
+    }
+    m_result.sites.coordinates.insert(
+      m_result.sites.coordinates.end(), m_coordinates.begin(), m_coordinates.end());
+    m_result.pointOfSite.push_back(m_result.numberOfPoints() - 1);
+    return m_result.sites.count() - 1;
+  }
+
+  Index end()
+  {
+    m_result.seatBegin.push_back(static_cast<Offset>(m_result.seats.size()));
+    return m_result.numberOfPoints() - 1;
+  }
+
+  const SurfaceMesh& m_mesh;
+  const EmbeddedSurface& m_surface;
+  const Features& m_features;
+  FeatureSites& m_result;
+  std::vector<double> m_coordinates;
+  std::vector<Offset> m_cornersBegin; ///< V + 1
+  std::vector<Index> m_corners;
+  std::vector<std::pair<Index, int>> m_facetOfCorner; ///< C
+};
+
+/** The curve's cells: each station's reaches half-way to the next. */
+void addCollar(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
+  const std::vector<Station>& stations, Index curve, FeatureSites& result)
+{
+  const FeatureCurve& course = features.curves[curve];
+  const std::vector<double> lengths = measureCurve(mesh, surface, features, curve);
+  const std::vector<Index>& points = result.curvePoints[curve];
+  std::size_t current = 0;
+  const auto changeAfter = [&](std::size_t k)
+  {
+    return stationAt(
+      lengths, 0.5 * (lengthAt(lengths, stations[k]) + lengthAt(lengths, stations[k + 1])));
+  };
+  for (std::size_t segment = 0; segment < course.edges.size(); ++segment)
+  {
+    CollarEdge edge{ course.edges[segment], course.points[segment], curve,
+      static_cast<Index>(segment), points[current], {} };
+    while (current + 1 < stations.size())
+    {
+      const Station change = changeAfter(current);
+      if (change.segment > static_cast<Index>(segment))
+      {
+        break;
+      }
+      edge.changes.push_back({ change.t, points[++current] });
+    }
+    result.collar.push_back(std::move(edge));
+  }
+}
+}
+
+namespace
+{
+constexpr double offset = 1e-6; // of the spacing
+
+/** Moves each site a little within the embedding proper. */
+void shake(const EmbeddedSurface& surface, double spacing, Sites& sites)
+{
+  for (Index i = 0; i < sites.count(); ++i)
+  {
+    for (int k = 0; k < surface.callerDimension; ++k)
+    {
+      const double random =
+        uniform01(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(k), 0);
+      sites.site(i)[k] += offset * spacing * (2.0 * random - 1.0);
+    }
+  }
+}
+}
+
+FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, const Stations& stations)
+{
+  FeatureSites result;
+  Builder builder(mesh, surface, features, result);
+  std::vector<Index> atCorner(mesh.points.size(), noIndex);
+  for (const Index point : features.corners)
+  {
+    atCorner[point] = builder.addAtPoint(point, noIndex);
+  }
+  result.curvePoints.resize(stations.size());
+  for (std::size_t c = 0; c < stations.size(); ++c)
+  {
+    const FeatureCurve& curve = features.curves[c];
+    std::vector<Index>& points = result.curvePoints[c];
+    for (std::size_t k = 0; k < stations[c].size(); ++k)
+    {
+      const Station& station = stations[c][k];
+      const bool isEnd = k == 0 || k + 1 == stations[c].size();
+      if (isEnd && curve.hasCorners)
+      {
+        points.push_back(atCorner[k == 0 ? curve.points.front() : curve.points.back()]);
+      }
+      else if (k > 0 && isEnd)
+      {
+        points.push_back(points.front());
+      }
+      else if (station.t == 0.0)
+      {
+        points.push_back(builder.addAtPoint(curve.points[station.segment], static_cast<Index>(c)));
+      }
+      else
+      {
+        points.push_back(builder.addOnEdge(curve.edges[station.segment],
+          curve.points[station.segment], station.t, static_cast<Index>(c)));
+      }
+    }
+    addCollar(mesh, surface, features, stations[c], static_cast<Index>(c), result);
+  }
+  result.sites.fixed = result.sites.count();
+  shake(surface, std::sqrt(surface.mass / std::max(1, result.sites.count())), result.sites);
+  return result;
+}
+}

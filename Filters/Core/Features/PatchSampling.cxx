@@ -1,0 +1,178 @@
+#include "Features/PatchSampling.h"
+
+#include "Embedding/Distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace remesh
+{
+namespace
+{
+constexpr double cellArea = 0.86602540378443864676; // of a hexagon, over the spacing squared
+constexpr double halfRow = 0.43301270189221932338;  // height of a border cell, over the spacing
+constexpr Offset leastClosed = 4;
+constexpr int halvings = 60;
+
+struct PatchSizes
+{
+  std::vector<double> mass;
+  std::vector<double> border; ///< length of the features around it, both sides of a slit
+};
+
+PatchSizes measurePatches(
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features)
+{
+  PatchSizes sizes;
+  sizes.mass.assign(static_cast<std::size_t>(features.numberOfPatches), 0.0);
+  sizes.border = sizes.mass;
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    const Index patch = features.facetPatches[f];
+    sizes.mass[patch] += surface.constants[f].mass;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (features.kind(f, k) != FeatureKind::None)
+      {
+        sizes.border[patch] += std::sqrt(surface.constants[f].edge2[k]);
+      }
+    }
+  }
+  return sizes;
+}
+
+/** The free sites that each patch cannot do without. */
+std::vector<Offset> leastCounts(
+  const PatchSizes& sizes, const EmbeddedSurface& surface, const FeatureSites& featureSites)
+{
+  std::vector<std::vector<Index>> vertices(sizes.mass.size()); // of each patch, ascending
+  for (Index site = 0; site < featureSites.sites.count(); ++site)
+  {
+    std::vector<Index>& own = vertices[surface.patchOf(featureSites.sites.site(site))];
+    const Index point = featureSites.pointOfSite[site];
+    if (own.empty() || own.back() != point)
+    {
+      own.push_back(point);
+    }
+  }
+  std::vector<Offset> least(sizes.mass.size(), 0);
+  std::set<std::vector<Index>> seen;
+  for (std::size_t p = 0; p < least.size(); ++p)
+  {
+    const bool closed = !(sizes.border[p] > 0.0);
+    least[p] = closed ? leastClosed : seen.insert(vertices[p]).second ? 0 : 1;
+  }
+  return least;
+}
+
+/** Free sites that a patch takes at some spacing, before rounding. */
+double demand(const PatchSizes& sizes, std::size_t patch, double spacing)
+{
+  return std::max(0.0,
+    (sizes.mass[patch] - halfRow * spacing * sizes.border[patch]) / (cellArea * spacing * spacing));
+}
+
+double totalDemand(const PatchSizes& sizes, double spacing)
+{
+  double sum = 0.0;
+  for (std::size_t p = 0; p < sizes.mass.size(); ++p)
+  {
+    sum += demand(sizes, p, spacing);
+  }
+  return sum;
+}
+}
+
+std::vector<Offset> shareOutSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, const FeatureSites& featureSites, Offset wanted)
+{
+  const PatchSizes sizes = measurePatches(mesh, surface, features);
+  const auto n = static_cast<double>(std::max(wanted, Offset(0)));
+  double high = std::sqrt(surface.mass / (cellArea * std::max(n, 1.0))); // less than n fit
+  double low = high;
+  for (int k = 0; k < halvings && totalDemand(sizes, low) < n; ++k)
+  {
+    low *= 0.5;
+  }
+  for (int k = 0; k < halvings; ++k)
+  {
+    const double middle = 0.5 * (low + high);
+    (totalDemand(sizes, middle) < n ? high : low) = middle;
+  }
+  // Rounded down, then up where the most was lost; lower patches first at a tie.
+  const std::size_t patches = sizes.mass.size();
+  std::vector<Offset> counts(patches, 0);
+  std::vector<double> lost(patches, 0.0);
+  const std::vector<Offset> least = leastCounts(sizes, surface, featureSites);
+  Offset given = 0;
+  for (std::size_t p = 0; p < patches; ++p)
+  {
+    const double exact = n > 0.0 ? demand(sizes, p, high) : 0.0;
+    counts[p] = static_cast<Offset>(exact);
+    lost[p] = exact - static_cast<double>(counts[p]);
+    if (counts[p] < least[p])
+    {
+      counts[p] = least[p];
+      lost[p] = 0.0;
+    }
+    given += counts[p];
+  }
+  std::vector<std::size_t> order(patches);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(
+    order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return lost[a] > lost[b]; });
+  for (std::size_t k = 0; given < wanted; k = (k + 1) % patches)
+  {
+    ++counts[order[k]];
+    ++given;
+  }
+  for (std::size_t k = 0; given > wanted && k < patches; ++k)
+  {
+    // Closed patches took more than their share: the largest give it back.
+    const auto most =
+      static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+    const Offset spare = std::min(given - wanted, counts[most] / 2);
+    if (counts[most] - spare < leastClosed)
+    {
+      break;
+    }
+    counts[most] -= spare;
+    given -= spare;
+  }
+  return counts;
+}
+
+Status samplePatches(const EmbeddedSurface& surface, const Features& features,
+  const std::vector<Offset>& counts, SamplingMethod method, std::uint64_t seed, Sites& sites,
+  const RunControl& control)
+{
+  const std::size_t patches = counts.size();
+  std::vector<Offset> begin(patches + 1, 0);
+  for (const Index patch : features.facetPatches)
+  {
+    ++begin[static_cast<std::size_t>(patch) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Index> facets(features.facetPatches.size());
+  std::vector<Offset> next(begin.begin(), begin.end() - 1);
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    facets[next[features.facetPatches[f]]++] = static_cast<Index>(f);
+  }
+  for (std::size_t p = 0; p < patches; ++p)
+  {
+    if (counts[p] > 0)
+    {
+      const std::vector<Index> own(facets.begin() + begin[p], facets.begin() + begin[p + 1]);
+      if (Status status = drawSites(surface, own, counts[p], method, seed, sites, control.silent());
+          !status.ok())
+      {
+        return status;
+      }
+    }
+  }
+  return Status::success();
+}
+}

@@ -1,0 +1,34 @@
+/**
+ * @file PatchSampling.h
+ * @brief The first places of the free sites, so many for each patch as it will need.
+ */
+#ifndef remesh_PatchSampling_h
+#define remesh_PatchSampling_h
+
+#include "Features/FeatureSites.h"
+#include "Optimization/Sampling.h"
+
+namespace remesh
+{
+/**
+ * Shares the free sites out to the patches. Sites do not leave their patch, so this must be right
+ * from the start: each patch gets as many as fill its area at one common spacing, less the rows of
+ * half cells that the sites on its borders have. Patches without border get at least four. Of
+ * patches around the same vertices, as the two sides of a coin, all but the first get at least one,
+ * or their triangles would be the same.
+ *
+ * @param wanted free sites in all; where closed patches need more, there are more.
+ */
+std::vector<Offset> shareOutSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, const FeatureSites& featureSites, Offset wanted);
+
+/**
+ * Appends free sites to the fixed ones, drawn in each patch as sampleSurface does for the whole
+ * surface. O(F + n log n).
+ */
+Status samplePatches(const EmbeddedSurface& surface, const Features& features,
+  const std::vector<Offset>& counts, SamplingMethod method, std::uint64_t seed, Sites& sites,
+  const RunControl& control);
+}
+
+#endif

@@ -1,0 +1,199 @@
+/**
+ * @file NormalFlow.cxx
+ *
+ * 1. The heat equation of the surface in linear elements: lumped masses (a third of the facets'
+ *    areas) and cotangent weights (U. Pinkall, K. Polthier, "Computing discrete minimal surfaces
+ *    and their conjugates", 1993). A cotangent counts between 0 and that of a sliver, so that each
+ *    new normal is a mean of old ones with weights that are not negative, and slivers stiffen
+ *    nothing.
+ * 2. A few implicit steps (M + t L) n' = M n, normalised after each: the time is not bound to the
+ *    facets' sizes as that of averaging is. Heat spreads over sqrt(4 t) in time t.
+ * 3. Each step by conjugate gradients with Jacobi's preconditioner, to four digits: normals
+ *    need no more.
+ */
+#include "Mesh/NormalFlow.h"
+
+#include "Mesh/FacetGeometry.h"
+#include "Support/ConjugateGradients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace remesh
+{
+namespace
+{
+constexpr int numberOfSteps = 3;
+constexpr double largestCotangent = 100.0;
+constexpr double leastLength = 1e-12;
+
+/** M + t L by rows: the off-diagonal entries are -t times the weights. */
+struct FlowMatrix
+{
+  std::vector<Offset> begins; ///< C + 1, into the entries
+  std::vector<Index> columns;
+  std::vector<double> weights;  ///< t times the cotangents' half sum, >= 0
+  std::vector<double> masses;   ///< C
+  std::vector<double> diagonal; ///< C
+
+  Point3 row(const VectorField& x, std::size_t i) const
+  {
+    Point3 value = this->diagonal[i] * x[i];
+    for (Offset e = this->begins[i]; e < this->begins[i + 1]; ++e)
+    {
+      value -= this->weights[e] * x[this->columns[e]];
+    }
+    return value;
+  }
+  Point3 precondition(const Point3& r, std::size_t i) const
+  {
+    return this->diagonal[i] > 0.0 ? Point3(r / this->diagonal[i]) : r;
+  }
+};
+
+/** One direction of a facet's edge, as an entry of the matrix. */
+struct Entry
+{
+  Index column;
+  double weight;
+};
+
+using Triangle = std::array<Point3, 3>;
+
+/** Half the cotangent at each corner of a facet. */
+std::array<double, 3> halfCotangents(const Triangle& triangle, double doubleArea)
+{
+  std::array<double, 3> halves{ 0.0, 0.0, 0.0 };
+  for (int k = 0; k < 3 && doubleArea > 0.0; ++k)
+  {
+    const Point3 u = triangle[(k + 1) % 3] - triangle[k];
+    const Point3 v = triangle[(k + 2) % 3] - triangle[k];
+    halves[k] = 0.5 * std::clamp(u.dot(v) / doubleArea, 0.0, largestCotangent);
+  }
+  return halves;
+}
+
+/** Joins the entries of each row that have the same column. */
+void mergeEntries(
+  const std::vector<Offset>& begins, std::vector<Entry>& entries, FlowMatrix& matrix)
+{
+  matrix.begins.assign(begins.size(), 0);
+  for (std::size_t row = 0; row + 1 < begins.size(); ++row)
+  {
+    const auto begin = entries.begin() + begins[row];
+    const auto end = entries.begin() + begins[row + 1];
+    std::stable_sort(
+      begin, end, [](const Entry& a, const Entry& b) { return a.column < b.column; });
+    double sum = 0.0;
+    for (auto entry = begin; entry != end; ++entry)
+    {
+      sum += entry->weight;
+      if (entry == begin || entry->column != (entry - 1)->column)
+      {
+        matrix.columns.push_back(entry->column);
+        matrix.weights.push_back(0.0);
+      }
+      matrix.weights.back() += entry->weight;
+    }
+    matrix.begins[row + 1] = static_cast<Offset>(matrix.columns.size());
+    matrix.diagonal[row] = matrix.masses[row] + sum;
+  }
+}
+
+/** In units of the radius, so that areas and times are of moderate size. */
+FlowMatrix buildMatrix(const SurfaceMesh& mesh, double radius, double time)
+{
+  FlowMatrix matrix;
+  const auto count = mesh.cornerPoints.size();
+  matrix.masses.assign(count, 0.0);
+  matrix.diagonal.assign(count, 0.0);
+  std::vector<Offset> begins(count + 1, 0);
+  for (const Triple& corners : mesh.facetCorners)
+  {
+    for (const Index corner : corners)
+    {
+      begins[corner + 1] += 2;
+    }
+  }
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<Offset> next(begins.begin(), begins.end() - 1);
+  std::vector<Entry> entries(static_cast<std::size_t>(begins.back()));
+  for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
+  {
+    const auto& [a, b, c] = mesh.facetPoints[f];
+    const Triangle triangle{ mesh.points[a] / radius, mesh.points[b] / radius,
+      mesh.points[c] / radius };
+    const double doubleArea = doubleAreaVector(triangle[0], triangle[1], triangle[2]).norm();
+    const std::array<double, 3> halves = halfCotangents(triangle, doubleArea);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index i = mesh.facetCorners[f][k];
+      const Index j = mesh.facetCorners[f][(k + 1) % 3];
+      const double weight = time * halves[(k + 2) % 3];
+      matrix.masses[i] += doubleArea / 6.0;
+      entries[next[i]++] = { j, weight };
+      entries[next[j]++] = { i, weight };
+    }
+  }
+  mergeEntries(begins, entries, matrix);
+  return matrix;
+}
+
+}
+
+void smoothNormalsOver(
+  const SurfaceMesh& mesh, double radius, const RunControl& control, std::vector<Point3>& normals)
+{
+  if (!(radius > 0.0) || !std::isfinite(radius) || normals.empty())
+  {
+    return;
+  }
+  const FlowMatrix matrix = buildMatrix(mesh, radius, 0.25 / numberOfSteps);
+  const ConjugateGradientsLimits limits;
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(normals.size()), 64, 1 << 15);
+  VectorField residual(normals.size());
+  for (int step = 0; step < numberOfSteps; ++step)
+  {
+    VectorField smoothed = normals;
+    // M n - (M + t L) n: the step starts at the normals themselves.
+    const bool started = forEachRange(blocks, control.silent(),
+      [&](Offset begin, Offset end)
+      {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        {
+          residual[i] = matrix.masses[i] * normals[i] - matrix.row(normals, i);
+        }
+      });
+    if (!started || !solveConjugateGradients(matrix, limits, control, residual, smoothed))
+    {
+      return;
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      const double length = smoothed[i].norm();
+      if (length > leastLength)
+      {
+        normals[i] = smoothed[i] / length;
+      }
+    }
+    control.report((step + 1.0) / numberOfSteps);
+  }
+}
+
+double meanSpacing(const SurfaceMesh& mesh, Offset sites)
+{
+  double area = 0.0;
+  for (const auto& [a, b, c] : mesh.facetPoints)
+  {
+    area += facetArea(mesh.points[a], mesh.points[b], mesh.points[c]);
+  }
+  return sites > 0 ? std::sqrt(area / static_cast<double>(sites)) : 0.0;
+}
+
+double smoothingRadius(const SurfaceMesh& mesh, Offset sites)
+{
+  return 1.5 * meanSpacing(mesh, sites);
+}
+}

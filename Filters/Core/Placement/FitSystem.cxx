@@ -1,0 +1,359 @@
+/**
+ * @file FitSystem.cxx
+ *
+ * Blocks of vertices are summed in parallel, each into the triangles that it meets, group by group;
+ * after each group its sums are added to the system one block after the other. So memory is bounded
+ * by a group, and no bit depends on the threads.
+ */
+#include "Placement/FitSystem.h"
+
+#include "Mesh/ClosestPoint.h"
+#include "Placement/SurfaceSamples.h"
+#include "Support/Grouping.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <limits>
+
+namespace remesh
+{
+namespace
+{
+constexpr Offset verticesPerBlock = 512;
+constexpr Offset blocksPerGroup = 64;
+/**
+ * The springs' stiffness, as shares of a vertex's own weight: in proportion to what the surface
+ * says about moves along it, which on smooth surfaces is little, and on scans much noise.
+ */
+constexpr double stiffnessPerVariation = 0.025;
+constexpr double leastStiffness = 3e-6;
+constexpr double mostStiffness = 1e-3;
+constexpr double dampingShare = 0.3; // of the stiffness
+
+/** What the samples of one block add to one triangle. */
+struct TriangleSums
+{
+  Symmetric3 pairs[6]; ///< corners 00, 11, 22, then edges 01, 12, 20
+  Point3 slopes[3];
+  Point3 normal;
+  double weights[3]; ///< sums of W w_k^2
+};
+
+struct BlockTriangles
+{
+  std::vector<Index> triangles;
+  std::vector<TriangleSums> sums;
+};
+
+/** Where a thread keeps the slots of the block it works on. */
+struct SlotScratch
+{
+  std::vector<Index> slotOfTriangle; ///< T, noIndex where the block has none
+};
+
+Symmetric3 outerProduct(const Point3& n)
+{
+  Symmetric3 product;
+  product << n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2];
+  return product;
+}
+
+Point3 multiply(const Symmetric3& a, const Point3& x)
+{
+  return { a[0] * x[0] + a[1] * x[1] + a[2] * x[2], a[1] * x[0] + a[3] * x[1] + a[4] * x[2],
+    a[2] * x[0] + a[4] * x[1] + a[5] * x[2] };
+}
+
+/** A foot of a sample on the mesh. */
+struct Foot
+{
+  Index triangle = noIndex;
+  double b[3] = { 0.0, 0.0, 0.0 };
+};
+
+/** The closest point on the star of `vertex`, of triangles that face as the sample does. */
+Foot findFoot(const PlacementProblem& problem, const VertexStars& stars,
+  const std::vector<Point3>& positions, const std::vector<Point3>& normals, Index vertex,
+  const SurfaceSample& sample)
+{
+  Foot foot;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Offset k = stars.begin(vertex); k < stars.end(vertex); ++k)
+  {
+    const Index t = stars.triangles[k];
+    if (!(normals[t].dot(sample.normal) > 0.0))
+    {
+      continue;
+    }
+    const auto& [i, j, l] = problem.triangles[t];
+    const ClosestPoint closest =
+      closestOnTriangle(sample.point, positions[i], positions[j], positions[l]);
+    if (closest.squared < nearest)
+    {
+      nearest = closest.squared;
+      foot.triangle = t;
+      std::copy_n(closest.b, 3, foot.b);
+    }
+  }
+  return foot;
+}
+
+void addSample(
+  const SurfaceSample& sample, const double b[3], const Point3& place, TriangleSums& sums)
+{
+  const Symmetric3 outer = sample.weight * outerProduct(sample.normal);
+  const Point3 slope = (sample.weight * sample.normal.dot(sample.point - place)) * sample.normal;
+  for (int k = 0; k < 3; ++k)
+  {
+    sums.pairs[k] += b[k] * b[k] * outer;
+    sums.pairs[3 + k] += b[k] * b[(k + 1) % 3] * outer;
+    sums.slopes[k] += b[k] * slope;
+    sums.weights[k] += b[k] * b[k] * sample.weight;
+  }
+  sums.normal += sample.weight * sample.normal;
+}
+
+void sumBlock(const PlacementProblem& problem, const VertexStars& stars,
+  const std::vector<Point3>& positions, const std::vector<Point3>& normals, Offset begin,
+  Offset end, SlotScratch& scratch, BlockTriangles& block)
+{
+  for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex)
+  {
+    forEachSample(problem, vertex,
+      [&](const SurfaceSample& sample)
+      {
+        const Foot foot = findFoot(problem, stars, positions, normals, vertex, sample);
+        if (foot.triangle == noIndex)
+        {
+          return;
+        }
+        Index& slot = scratch.slotOfTriangle[foot.triangle];
+        if (slot == noIndex)
+        {
+          slot = static_cast<Index>(block.sums.size());
+          block.triangles.push_back(foot.triangle);
+          TriangleSums& fresh = block.sums.emplace_back();
+          std::fill_n(fresh.pairs, 6, Symmetric3::Zero());
+          std::fill_n(fresh.slopes, 3, Point3::Zero());
+          std::fill_n(fresh.weights, 3, 0.0);
+          fresh.normal.setZero();
+        }
+        const auto& [i, j, k] = problem.triangles[foot.triangle];
+        const Point3 place =
+          foot.b[0] * positions[i] + foot.b[1] * positions[j] + foot.b[2] * positions[k];
+        addSample(sample, foot.b, place, block.sums[slot]);
+      });
+  }
+  for (const Index triangle : block.triangles)
+  {
+    scratch.slotOfTriangle[triangle] = noIndex;
+  }
+}
+
+void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const BlockTriangles& block,
+  FitSystem& system)
+{
+  for (std::size_t s = 0; s < block.triangles.size(); ++s)
+  {
+    const Index t = block.triangles[s];
+    const TriangleSums& sums = block.sums[s];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index vertex = problem.triangles[t][k];
+      system.vertexBlocks[vertex] += sums.pairs[k];
+      system.slopes[vertex] += sums.slopes[k];
+      system.weights[vertex] += sums.weights[k];
+      system.edgeBlocks[edges.facetEdges[t][k]] += sums.pairs[3 + k];
+    }
+    system.triangleNormals[t] += sums.normal;
+  }
+}
+
+void addToDiagonal(double value, Symmetric3& block)
+{
+  block[0] += value;
+  block[3] += value;
+  block[5] += value;
+}
+
+/** How much the normals of a vertex's samples vary, 0 to 2/3: the eigenvalues but the largest. */
+double variation(const Symmetric3& a)
+{
+  const double trace = a[0] + a[3] + a[5];
+  Eigen::Matrix3d block;
+  block << a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5];
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(block / trace, Eigen::EigenvaluesOnly);
+  return std::max(0.0, 1.0 - solver.eigenvalues()[2]);
+}
+
+bool findStiffness(const RunControl& control, FitSystem& system)
+{
+  system.stiffness.assign(system.weights.size(), 0.0);
+  return forEachItem(static_cast<Offset>(system.weights.size()), control.silent(),
+    [&](Offset v)
+    {
+      if (system.weights[v] > 0.0)
+      {
+        system.stiffness[v] = system.weights[v] *
+          std::clamp(stiffnessPerVariation * variation(system.vertexBlocks[v]), leastStiffness,
+            mostStiffness);
+      }
+    });
+}
+
+/**
+ * The terms that do not come from the surface: springs along the edges, at rest where neighbours
+ * lie to each other as in `shapes`, and damping.
+ */
+bool addStiffness(const std::vector<Point3>& positions, const std::vector<Point3>& shapes,
+  const RunControl& control, FitSystem& system)
+{
+  return forEachItem(static_cast<Offset>(positions.size()), control.silent(),
+    [&](Offset item)
+    {
+      const auto v = static_cast<std::size_t>(item);
+      for (Offset k = system.linkBegins[v]; k < system.linkBegins[v + 1]; ++k)
+      {
+        const auto [other, edge] = system.links[k];
+        const double spring = (system.stiffness[v] + system.stiffness[other]) / 6.0;
+        addToDiagonal(spring, system.vertexBlocks[v]);
+        if (static_cast<std::size_t>(other) > v) // once per edge
+        {
+          addToDiagonal(-spring, system.edgeBlocks[edge]);
+        }
+        system.slopes[v] -=
+          spring * ((positions[v] - shapes[v]) - (positions[other] - shapes[other]));
+      }
+      addToDiagonal(dampingShare * system.stiffness[v], system.vertexBlocks[v]);
+      if (system.frozen[v])
+      {
+        system.slopes[v].setZero();
+      }
+    });
+}
+
+std::vector<Point3> normalsOf(const PlacementProblem& problem, const std::vector<Point3>& positions)
+{
+  std::vector<Point3> normals(problem.triangles.size());
+  for (std::size_t t = 0; t < normals.size(); ++t)
+  {
+    const auto& [i, j, k] = problem.triangles[t];
+    normals[t] = facetNormal(positions[i], positions[j], positions[k]);
+  }
+  return normals;
+}
+}
+
+Point3 FitSystem::row(const VectorField& x, std::size_t i) const
+{
+  if (this->frozen[i])
+  {
+    return x[i];
+  }
+  Point3 value = multiply(this->vertexBlocks[i], x[i]);
+  for (Offset k = this->linkBegins[i]; k < this->linkBegins[i + 1]; ++k)
+  {
+    value += multiply(this->edgeBlocks[this->links[k].edge], x[this->links[k].vertex]);
+  }
+  return value;
+}
+
+Point3 FitSystem::precondition(const Point3& r, std::size_t i) const
+{
+  if (this->frozen[i])
+  {
+    return Point3::Zero();
+  }
+  const Symmetric3& a = this->vertexBlocks[i];
+  Eigen::Matrix3d block;
+  block << a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5];
+  return block.inverse() * r;
+}
+
+FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
+{
+  FitSystem system;
+  const auto count = static_cast<std::size_t>(problem.numberOfVertices());
+  system.linkBegins.assign(count + 1, 0);
+  const auto forEachLink = [&](const auto& visit)
+  {
+    for (std::size_t t = 0; t < problem.triangles.size(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Index edge = edges.facetEdges[t][k];
+        if (edges.edgeFacets[edges.edgeFacetsBegin[edge]] == static_cast<Index>(t))
+        {
+          visit(problem.triangles[t][k], problem.triangles[t][(k + 1) % 3], edge);
+        }
+      }
+    }
+  };
+  forEachLink(
+    [&](Index a, Index b, Index)
+    {
+      ++system.linkBegins[static_cast<std::size_t>(a) + 1];
+      ++system.linkBegins[static_cast<std::size_t>(b) + 1];
+    });
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    system.linkBegins[v + 1] += system.linkBegins[v];
+  }
+  system.links.resize(static_cast<std::size_t>(system.linkBegins.back()));
+  std::vector<Offset> next(system.linkBegins.begin(), system.linkBegins.end() - 1);
+  forEachLink(
+    [&](Index a, Index b, Index edge)
+    {
+      system.links[next[a]++] = { b, edge };
+      system.links[next[b]++] = { a, edge };
+    });
+  return system;
+}
+
+bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, const EdgeTable& edges,
+  const std::vector<Point3>& positions, const std::vector<Point3>& shapes,
+  const RunControl& control, FitSystem& system)
+{
+  const auto count = static_cast<std::size_t>(problem.numberOfVertices());
+  system.vertexBlocks.assign(count, Symmetric3::Zero());
+  system.edgeBlocks.assign(static_cast<std::size_t>(edges.numberOfEdges()), Symmetric3::Zero());
+  system.slopes.assign(count, Point3::Zero());
+  system.weights.assign(count, 0.0);
+  system.triangleNormals.assign(problem.triangles.size(), Point3::Zero());
+  const std::vector<Point3> normals = normalsOf(problem, positions);
+  const Blocks blocks{ problem.numberOfVertices(), verticesPerBlock };
+  ScratchPool<SlotScratch> pool(
+    [&]()
+    {
+      return std::make_unique<SlotScratch>(
+        SlotScratch{ std::vector<Index>(problem.triangles.size(), noIndex) });
+    });
+  for (Offset first = 0; first < blocks.count(); first += blocksPerGroup)
+  {
+    const Offset size = std::min(blocksPerGroup, blocks.count() - first);
+    std::vector<BlockTriangles> sums(static_cast<std::size_t>(size));
+    if (!forEachBlock(size, control.silent(),
+          [&](Offset block)
+          {
+            const auto scratch = pool.borrow();
+            sumBlock(problem, stars, positions, normals, blocks.begin(first + block),
+              blocks.end(first + block), *scratch, sums[block]);
+          }))
+    {
+      return false;
+    }
+    for (const BlockTriangles& block : sums)
+    {
+      addBlock(problem, edges, block, system);
+    }
+  }
+  system.frozen.assign(count, 0);
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    system.frozen[v] = problem.isFixed(v) || !(system.weights[v] > 0.0);
+  }
+  return findStiffness(control, system) && addStiffness(positions, shapes, control, system);
+}
+}

@@ -1,0 +1,127 @@
+#include "Placement/Placement.h"
+
+#include "Placement/Quadric.h"
+#include "Placement/StepLimit.h"
+#include "Placement/SurfaceFit.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+constexpr int fitRounds = 6;
+
+/** Centroids but at the fixed vertices that have places already. */
+std::vector<Point3> startingPlaces(
+  const PlacementProblem& problem, const std::vector<Point3>& given)
+{
+  std::vector<Point3> places = problem.components.centroids;
+  if (given.size() == places.size())
+  {
+    for (std::size_t v = 0; v < places.size(); ++v)
+    {
+      places[v] = problem.isFixed(v) ? given[v] : places[v];
+    }
+  }
+  return places;
+}
+
+std::vector<Point3> placesOnSurface(const PlacementProblem& problem,
+  const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start)
+{
+  std::vector<Point3> places = start;
+  for (std::size_t v = 0; v < places.size(); ++v)
+  {
+    if (!problem.isFixed(v))
+    {
+      const SurfaceLocation& location = locations[v];
+      places[v] = location.b[0] * problem.facetPoint(location.facet, 0) +
+        location.b[1] * problem.facetPoint(location.facet, 1) +
+        location.b[2] * problem.facetPoint(location.facet, 2);
+    }
+  }
+  return places;
+}
+
+/** The points of the surface closest to the places, but where these are among known ones. */
+Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surface,
+  const std::vector<Point3>& known, const std::vector<Point3>& positions, const RunControl& control,
+  std::vector<SurfaceLocation>& locations)
+{
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  const bool done =
+    forEachRange(Blocks::cut(problem.numberOfVertices(), 64, 4096), control.silent(),
+      [&](Offset begin, Offset end)
+      {
+        std::vector<Index> cells;
+        for (auto v = static_cast<Index>(begin); v < end; ++v)
+        {
+          if (!known.empty() && positions[v] == known[v] &&
+            !problem.isFixed(static_cast<std::size_t>(v)))
+          {
+            continue;
+          }
+          cells.assign(1, v);
+          for (Offset k = stars.begin(v); k < stars.end(v); ++k)
+          {
+            const Triple& triangle = problem.triangles[stars.triangles[k]];
+            cells.insert(cells.end(), triangle.begin(), triangle.end());
+          }
+          std::sort(cells.begin(), cells.end());
+          cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+          locations[v] = surface.closest(cells.data(), cells.data() + cells.size(), positions[v]);
+        }
+      });
+  return done ? Status::success() : Status::cancelled();
+}
+
+/** Quadrics, and the fit from there if wanted. */
+Status fitVertices(const PlacementProblem& problem, int rounds, const std::vector<Point3>& start,
+  const RunControl& control, std::vector<Point3>& positions)
+{
+  if (Status status = placeByQuadrics(problem, control.step(0, 2), positions); !status.ok())
+  {
+    return status;
+  }
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  std::vector<Point3> normals(problem.triangles.size(), Point3::Zero());
+  if (!limitSteps(problem, stars, { start, normals }, start, control, positions))
+  {
+    return Status::cancelled();
+  }
+  return fitToSurface(problem, stars, rounds, start, control.step(1, 2), positions, normals);
+}
+}
+
+Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
+  const RunControl& control, std::vector<SurfaceLocation>& locations,
+  std::vector<Triple>& triangles, Placement& placement)
+{
+  const std::vector<Point3> start = startingPlaces(problem, placement.positions);
+  const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
+  placement.positions = way == VertexPlacement::Surface ? onSurface : start;
+  if (way == VertexPlacement::Quadric || way == VertexPlacement::Fit)
+  {
+    const int rounds = way == VertexPlacement::Fit ? fitRounds : 0;
+    if (Status status =
+          fitVertices(problem, rounds, start, control.step(0, 2), placement.positions);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  const NearbySurface surface(problem);
+  if (Status status = repairFlips(problem, surface, onSurface, start, control.step(1, 2), triangles,
+        placement.positions, placement.repair);
+      !status.ok())
+  {
+    return status;
+  }
+  const std::vector<Point3> known = way == VertexPlacement::Centroid ? start
+    : way == VertexPlacement::Surface                                ? onSurface
+                                                                     : std::vector<Point3>();
+  return locatePlaces(problem, surface, known, placement.positions, control, locations);
+}
+}

@@ -1,0 +1,45 @@
+/**
+ * @file Placement.h
+ * @brief Where in R^3 the vertices of the dual go.
+ */
+#ifndef remesh_Placement_h
+#define remesh_Placement_h
+
+#include "Delaunay/SurfaceLocation.h"
+#include "Placement/FlipRepair.h"
+#include "Placement/PlacementProblem.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+
+namespace remesh
+{
+enum class VertexPlacement
+{
+  Centroid, ///< of the cell, by mass in R^d
+  Surface,  ///< the point of the cell's facets closest to the centroid
+  Quadric,  ///< see Quadric.h
+  Fit       ///< see SurfaceFit.h
+};
+
+struct Placement
+{
+  std::vector<Point3> positions; ///< K, R^3, the unit of the points
+  FlipRepair repair;
+};
+
+/**
+ * Places the vertices and turns flipped triangles back (FlipRepair.h).
+ *
+ * @param locations K, the points of the surface closest to the centroids; replaced by those closest
+ *        to the places, among the facets of the vertex's cell and those around it.
+ * @param triangles of `problem.triangles`; a few may change to turn flipped ones back.
+ * @param placement its positions, if there are K, say where the fixed vertices are (to the bit);
+ *        else they are at their centroids. Replaced.
+ * Deterministic. Cost: O(pieces + K); a round of the fit about as much as two of Lloyd's.
+ */
+Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
+  const RunControl& control, std::vector<SurfaceLocation>& locations,
+  std::vector<Triple>& triangles, Placement& placement);
+}
+
+#endif

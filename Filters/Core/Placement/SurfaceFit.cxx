@@ -1,0 +1,47 @@
+#include "Placement/SurfaceFit.h"
+
+#include "Placement/FitSystem.h"
+#include "Placement/StepLimit.h"
+
+namespace remesh
+{
+namespace
+{
+constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
+}
+
+Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, int rounds,
+  const std::vector<Point3>& shapes, const RunControl& control, std::vector<Point3>& positions,
+  std::vector<Point3>& triangleNormals)
+{
+  const EdgeTable edges = buildEdgeTable(problem.triangles);
+  FitSystem system = makeFitSystem(problem, edges);
+  for (int round = 0; round < rounds; ++round)
+  {
+    if (!assembleFit(problem, stars, edges, positions, shapes, control, system))
+    {
+      return Status::cancelled();
+    }
+    VectorField displacements(positions.size(), Point3::Zero());
+    VectorField residual = system.slopes;
+    if (!solveConjugateGradients(system, solverLimits, control, residual, displacements))
+    {
+      return Status::cancelled();
+    }
+    std::vector<Point3> goals(positions.size());
+    for (std::size_t v = 0; v < goals.size(); ++v)
+    {
+      const bool moves = !system.frozen[v] && displacements[v].allFinite();
+      goals[v] = moves ? Point3(positions[v] + displacements[v]) : positions[v];
+    }
+    if (!limitSteps(problem, stars, { shapes, system.triangleNormals }, positions, control, goals))
+    {
+      return Status::cancelled();
+    }
+    positions.swap(goals);
+    control.report((round + 1.0) / rounds);
+  }
+  triangleNormals.swap(system.triangleNormals);
+  return Status::success();
+}
+}

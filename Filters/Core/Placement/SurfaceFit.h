@@ -1,0 +1,35 @@
+/**
+ * @file SurfaceFit.h
+ * @brief Moves all vertices together so that the triangles come closest to the surface.
+ */
+#ifndef remesh_SurfaceFit_h
+#define remesh_SurfaceFit_h
+
+#include "Placement/PlacementProblem.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+
+namespace remesh
+{
+/**
+ * The sparse least squares fit of a mesh to the surface that it is the dual of.
+ *
+ * Rounds of: tie samples of the surface to their closest points on the mesh; solve for the
+ * displacements that minimise the squared distances of those points from the samples' planes; go
+ * as far as no triangle turns or collapses (StepLimit.h). Vertices on a surface lie on one side of
+ * it where it bends; fitted ones share the error out to both sides, which on a convex surface
+ * makes it a quarter.
+ *
+ * @param rounds of the fit, >= 0.
+ * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
+ * @param positions K, R^3; replaced but at fixed vertices.
+ * @param triangleNormals T, along the surface's mean normal where each triangle is; zero for a
+ *        triangle that no sample is closest to. Left by the last assembly.
+ * Cost: O(pieces + 24 K) per round, and the solver's steps, O(K) each. Parallel, deterministic.
+ */
+Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, int rounds,
+  const std::vector<Point3>& shapes, const RunControl& control, std::vector<Point3>& positions,
+  std::vector<Point3>& triangleNormals);
+}
+
+#endif

@@ -1,0 +1,122 @@
+/**
+ * @file ConjugateGradients.h
+ * @brief Conjugate gradients for large sparse systems of vectors of R^3, the same on any threads.
+ */
+#ifndef remesh_ConjugateGradients_h
+#define remesh_ConjugateGradients_h
+
+#include "Support/Parallel.h"
+
+#include <numeric>
+
+namespace remesh
+{
+using VectorField = std::vector<Point3>;
+
+struct ConjugateGradientsLimits
+{
+  int iterations = 400;
+  double reduction = 1e-4; ///< of the residual's norm, in the metric of the preconditioner
+};
+
+/** `term(i)` summed over [0, size) in the order of the blocks; stops early when cancelled. */
+template <class Term>
+bool sumInBlocks(const Blocks& blocks, const RunControl& control, const Term& term, double& sum)
+{
+  std::vector<double> parts(static_cast<std::size_t>(blocks.count()), 0.0);
+  const bool done = forEachBlock(blocks.count(), control,
+    [&](Offset block)
+    {
+      double part = 0.0;
+      for (Offset i = blocks.begin(block); i < blocks.end(block); ++i)
+      {
+        part += term(static_cast<std::size_t>(i));
+      }
+      parts[static_cast<std::size_t>(block)] = part;
+    });
+  sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  return done;
+}
+
+/**
+ * Solves A x = b for a symmetric positive definite A, starting from x.
+ *
+ * @param matrix has `Point3 row(const VectorField& x, std::size_t i) const`, the i-th vector of
+ *        A x, and `Point3 precondition(const Point3& r, std::size_t i) const`, symmetric positive
+ *        definite and local.
+ * @param x the start, replaced by the solution.
+ * @param residual b - A x at the start; used as work space.
+ * @return false when cancelled; x is then not to be used.
+ * Deterministic: the blocks of the sums depend on the size alone. Cost: O(nonzeros) per iteration.
+ */
+template <class Matrix>
+bool solveConjugateGradients(const Matrix& matrix, const ConjugateGradientsLimits& limits,
+  const RunControl& control, VectorField& residual, VectorField& x)
+{
+  const std::size_t count = x.size();
+  const RunControl silent = control.silent();
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(count), 64, 1 << 15);
+  VectorField direction(count), image(count);
+  double product = 0.0;
+  if (!sumInBlocks(
+        blocks, silent,
+        [&](std::size_t i)
+        {
+          direction[i] = matrix.precondition(residual[i], i);
+          return residual[i].dot(direction[i]);
+        },
+        product))
+  {
+    return false;
+  }
+  const double goal = limits.reduction * limits.reduction * product;
+  for (int k = 0; k < limits.iterations && product > goal && product > 0.0; ++k)
+  {
+    double curvature = 0.0, next = 0.0;
+    if (!sumInBlocks(
+          blocks, silent,
+          [&](std::size_t i)
+          {
+            image[i] = matrix.row(direction, i);
+            return image[i].dot(direction[i]);
+          },
+          curvature))
+    {
+      return false;
+    }
+    if (!(curvature > 0.0))
+    {
+      break; // rounding is all that is left
+    }
+    const double step = product / curvature;
+    if (!sumInBlocks(
+          blocks, silent,
+          [&](std::size_t i)
+          {
+            x[i] += step * direction[i];
+            residual[i] -= step * image[i];
+            return residual[i].dot(matrix.precondition(residual[i], i));
+          },
+          next))
+    {
+      return false;
+    }
+    const double turn = next / product;
+    product = next;
+    if (!forEachRange(blocks, silent,
+          [&](Offset begin, Offset end)
+          {
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            {
+              direction[i] = matrix.precondition(residual[i], i) + turn * direction[i];
+            }
+          }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+#endif

@@ -1,0 +1,45 @@
+/**
+ * @file DiagramBlocks.h
+ * @brief The pieces of blocks of facets, and how they are strung together to a diagram.
+ */
+#ifndef remesh_DiagramBlocks_h
+#define remesh_DiagramBlocks_h
+
+#include "Support/Status.h"
+#include "Voronoi/Diagram.h"
+
+namespace remesh
+{
+/** Pieces of one block of facets, in the order of the facets. */
+struct DiagramBlock
+{
+  std::vector<Index> sites;
+  std::vector<Index> facets;
+  std::vector<PieceIntegral> integrals;
+  std::vector<Index> sizes; ///< vertices of each piece
+  std::vector<Index> across;
+
+  void add(Index facet, Index site, const PieceIntegral& integral, const Polygon& polygon,
+    const FacetTiling& tiling);
+
+  /** Forgets the pieces and keeps the memory for others. */
+  void clear();
+};
+
+/** Makes an empty diagram that blocks can be appended to. */
+void beginDiagram(Diagram& diagram);
+
+/**
+ * Appends the blocks of the next facets and clears them.
+ *
+ * @param share of the surface's facets that is done with these blocks: memory for the rest is
+ *        reserved in proportion, so that as little as possible is moved later.
+ * @return InvalidInput for more pieces than an Index counts.
+ */
+Status appendBlocks(std::vector<DiagramBlock>& blocks, double share, Diagram& diagram);
+
+/** Makes the index of the facets, when all blocks are there. */
+void finishDiagram(Index numberOfFacets, Diagram& diagram);
+}
+
+#endif

@@ -1,0 +1,384 @@
+#include "Voronoi/FacetIntegration.h"
+
+#include "Embedding/Distance.h"
+#include "Support/Lanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace remesh
+{
+namespace
+{
+/** Far above the rounding of a distance, far below what would add candidates. */
+constexpr double aboveRounding = 1.0 + 1e-9;
+/** The value of lanes without a site. */
+constexpr double unreachable = 1e100;
+/** More coordinates than this, and packing them costs more than it saves. */
+constexpr int mostPackedDimension = 16;
+constexpr int mostRounds = 8;
+}
+
+template <int D>
+FacetIntegration<D>::FacetIntegration(const EmbeddedSurface& surface, const Sites& sites,
+  const NeighborLists& lists, const std::vector<Index>& owners, InstructionSet instructions)
+  : m_surface(surface)
+  , m_sites(sites)
+  , m_lists(lists)
+  , m_owners(owners)
+  , m_evaluate(bisectorEvaluation(instructions))
+  , m_trace(envelopeTracing(instructions))
+  , m_stride((lists.longest() + lanes - 1) / lanes * lanes)
+  , m_packs(numberOfPacks)
+  , m_values(3 * static_cast<std::size_t>(m_stride))
+  , m_chosen(static_cast<std::size_t>(m_stride / lanes))
+  , m_facetOfSite(static_cast<std::size_t>(sites.count()), noIndex)
+{
+  for (View* view : { &m_views[0], &m_views[1], &m_views[2], &m_cellView })
+  {
+    view->points.resize(3 * static_cast<std::size_t>(surface.dimension));
+  }
+}
+
+template <int D>
+void FacetIntegration<D>::beginBlock()
+{
+  for (Bisectors& pack : m_packs)
+  {
+    pack.site = noIndex;
+  }
+}
+
+template <int D>
+const typename FacetIntegration<D>::Bisectors& FacetIntegration<D>::bisectorsOf(Index site)
+{
+  Bisectors& pack = m_packs[static_cast<std::size_t>(site) % numberOfPacks];
+  if (pack.site == site)
+  {
+    return pack;
+  }
+  const int d = D == Eigen::Dynamic ? m_surface.dimension : D;
+  pack.site = site;
+  pack.offsets.resize((static_cast<std::size_t>(d) + 1) * static_cast<std::size_t>(m_stride));
+  const NeighborList list = m_lists.list(site);
+  const double* x = m_sites.site(site);
+  for (int lane = 0; lane < m_stride; ++lane)
+  {
+    // Lanes without a site stand for one that wins nothing.
+    const bool empty = lane >= list.count;
+    const double* y = empty ? x : m_sites.site(list.sites[lane]);
+    double* to = pack.offsets.data() + lane;
+    double squared = empty ? unreachable : 0.0;
+    for (int m = 0; m < d; ++m, to += m_stride)
+    {
+      const double offset = y[m] - x[m];
+      *to = offset;
+      squared += offset * offset;
+    }
+    *to = squared;
+  }
+  return pack;
+}
+
+/** The owners of the corners, the one likely to see the facet best first. */
+template <int D>
+int FacetIntegration<D>::distinctOwners(const Triple& corners, Index owners[3]) const
+{
+  const Index all[3] = { m_owners[corners[0]], m_owners[corners[1]], m_owners[corners[2]] };
+  for (int k = 0; k < 3; ++k)
+  {
+    if (all[(k + 1) % 3] == all[(k + 2) % 3])
+    {
+      owners[0] = all[(k + 1) % 3];
+      owners[1] = all[k];
+      return owners[0] == owners[1] ? 1 : 2;
+    }
+  }
+  std::copy_n(all, 3, owners);
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+  {
+    const double squared = squaredDistance<D>(
+      m_sites.site(owners[k]), m_surface.corner(corners[k]), m_surface.dimension);
+    if (squared < least)
+    {
+      best = k;
+      least = squared;
+    }
+  }
+  std::swap(owners[0], owners[best]);
+  return 3;
+}
+
+template <int D>
+void FacetIntegration<D>::look(Index site, const Triple& corners, View& view) const
+{
+  view.site = site;
+  const int d = D == Eigen::Dynamic ? m_surface.dimension : D;
+  const double* x = m_sites.site(site);
+  for (int k = 0; k < 3; ++k)
+  {
+    const double* p = m_surface.corner(corners[k]);
+    double* seen = view.points.data() + k * d;
+    double squared = 0.0;
+    for (int m = 0; m < d; ++m)
+    {
+      seen[m] = p[m] - x[m];
+      squared += seen[m] * seen[m];
+    }
+    view.squared[k] = squared;
+    view.values[k] = squared - m_views[0].squared[k];
+  }
+}
+
+template <int D>
+void FacetIntegration<D>::addSite(Index site, const double values[3])
+{
+  m_ids[m_envelope.count] = site;
+  m_envelope.add(values);
+}
+
+/**
+ * Adds the neighbours of a site, as far as `farthest`, that are below each of the owners looked at
+ * somewhere, and accepted by `accept(site, values)`. False if there are too many.
+ */
+template <int D>
+template <class Accept>
+bool FacetIntegration<D>::addNeighbors(const View& view, double farthest, const Accept& accept)
+{
+  const Bisectors& pack = this->bisectorsOf(view.site);
+  const NeighborList list = m_lists.list(view.site);
+  Index count = 0;
+  while (count < list.count && list.distances[count] <= farthest)
+  {
+    ++count;
+  }
+  double limits[3][3];
+  for (int w = 0; w < m_numberOfViews; ++w)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      limits[w][k] = m_views[w].values[k] - view.values[k];
+    }
+  }
+  m_evaluate({ pack.offsets.data(), m_stride, count, view.points.data(), m_surface.dimension,
+    limits, m_numberOfViews, m_values.data(), m_chosen.data() });
+  for (int first = 0; first < count; first += lanes)
+  {
+    int lane = first;
+    for (unsigned bits = m_chosen[first / lanes]; bits != 0; bits >>= 1, ++lane)
+    {
+      if ((bits & 1U) == 0)
+      {
+        continue;
+      }
+      const double values[3] = { m_values[lane] + view.values[0],
+        m_values[m_stride + lane] + view.values[1],
+        m_values[2 * m_stride + lane] + view.values[2] };
+      if (accept(list.sites[lane], values))
+      {
+        if (m_envelope.count == Envelope::mostSites)
+        {
+          return false;
+        }
+        this->addSite(list.sites[lane], values);
+      }
+    }
+  }
+  return true;
+}
+
+template <int D>
+bool FacetIntegration<D>::integrate(Index facet)
+{
+  if (D == Eigen::Dynamic && m_surface.dimension > mostPackedDimension)
+  {
+    return false;
+  }
+  const Triple& corners = m_surface.facetCorners[facet];
+  Index owners[3];
+  const int numberOfOwners = this->distinctOwners(corners, owners);
+  View& reference = m_views[0];
+  this->look(owners[0], corners, reference);
+  for (double& value : reference.values)
+  {
+    value = 0.0;
+  }
+  m_envelope.count = 0;
+  m_numberOfViews = 1;
+  this->addSite(owners[0], reference.values);
+  const double* squared = reference.squared;
+  const double radius = std::sqrt(std::max({ squared[0], squared[1], squared[2] }));
+  double farthest = 0.0;
+  if (m_lists.holds(owners[0], 2.0 * radius * aboveRounding, farthest))
+  {
+    return this->addNeighbors(reference, farthest, [](Index, const double*) { return true; }) &&
+      m_trace(m_envelope);
+  }
+  return this->integrateLarge(facet, owners, numberOfOwners);
+}
+
+template <int D>
+bool FacetIntegration<D>::integrateLarge(Index facet, const Index owners[3], int numberOfOwners)
+{
+  const Triple& corners = m_surface.facetCorners[facet];
+  for (; m_numberOfViews < numberOfOwners; ++m_numberOfViews)
+  {
+    View& view = m_views[m_numberOfViews];
+    this->look(owners[m_numberOfViews], corners, view);
+    this->addSite(view.site, view.values);
+  }
+  for (int w = 0; w < numberOfOwners; ++w)
+  {
+    m_facetOfSite[owners[w]] = facet;
+  }
+  const auto isNew = [this, facet](Index site, const double*)
+  {
+    const bool met = m_facetOfSite[site] == facet;
+    m_facetOfSite[site] = facet;
+    return !met;
+  };
+  if (!this->addNeighbors(m_views[0], std::numeric_limits<double>::infinity(), isNew))
+  {
+    return false;
+  }
+  m_expanded.assign(1, owners[0]);
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    bool grown = false;
+    if (!m_trace(m_envelope) || !this->checkCells(facet, grown))
+    {
+      return false;
+    }
+    if (!grown)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/**
+ * For each part the largest distance r from its site to a point, and the largest sum of r and the
+ * distance of the point from the reference. Who wins a point is within r of it, and so within these
+ * of the site and the reference (convex: the vertices are enough).
+ */
+template <int D>
+void FacetIntegration<D>::findReach(const FacetConstants& facet, PartReach reach[]) const
+{
+  std::fill_n(reach, m_envelope.count, PartReach{});
+  const double* e = facet.edge2;
+  const double* seen = m_views[0].squared;
+  for (int v = 0; v < m_envelope.numberOfVertices; ++v)
+  {
+    const Envelope::Vertex& vertex = m_envelope.vertices[v];
+    const double* b = vertex.b;
+    const int first = vertex.sites[0];
+    const double fromReference = b[0] * seen[0] + b[1] * seen[1] + b[2] * seen[2] -
+      (b[0] * b[1] * e[0] + b[1] * b[2] * e[1] + b[2] * b[0] * e[2]);
+    const auto& values = m_envelope.values;
+    const double fromSite =
+      fromReference + (b[0] * values[0][first] + b[1] * values[1][first] + b[2] * values[2][first]);
+    const double radius = std::sqrt(std::max(0.0, fromSite));
+    const double sum = radius + std::sqrt(std::max(0.0, fromReference));
+    for (const int slot : vertex.sites)
+    {
+      reach[slot].radius = std::max(reach[slot].radius, radius);
+      reach[slot].sum = std::max(reach[slot].sum, sum);
+    }
+  }
+}
+
+/** Whether a site with these values at the corners would take a vertex from its cells. */
+template <int D>
+bool FacetIntegration<D>::winsSomewhere(const double values[3]) const
+{
+  for (int v = 0; v < m_envelope.numberOfVertices; ++v)
+  {
+    const double* b = m_envelope.vertices[v].b;
+    const int slot = m_envelope.vertices[v].sites[0];
+    double lead = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      lead += b[k] * (values[k] - m_envelope.values[k][slot]);
+    }
+    if (lead < 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/**
+ * Whether, for each part, the reference's list or that of the part's own site holds all sites that
+ * may win there. Those of the latter join in where they win: `grown`.
+ */
+template <int D>
+bool FacetIntegration<D>::checkCells(Index facet, bool& grown)
+{
+  PartReach reach[Envelope::mostSites];
+  this->findReach(m_surface.constants[facet], reach);
+  const Index reference = m_views[0].site;
+  const int count = m_envelope.count;
+  for (int slot = 0; slot < count; ++slot)
+  {
+    double farthest = 0.0;
+    if (m_lists.holds(reference, reach[slot].sum * aboveRounding, farthest))
+    {
+      continue;
+    }
+    const Index site = m_ids[slot];
+    if (!m_lists.holds(site, 2.0 * reach[slot].radius * aboveRounding, farthest))
+    {
+      return false;
+    }
+    if (std::find(m_expanded.begin(), m_expanded.end(), site) != m_expanded.end())
+    {
+      continue;
+    }
+    m_expanded.push_back(site);
+    this->look(site, m_surface.facetCorners[facet], m_cellView);
+    const bool fits = this->addNeighbors(m_cellView, farthest,
+      [this, facet](Index neighbor, const double values[3])
+      {
+        const bool met = m_facetOfSite[neighbor] == facet;
+        m_facetOfSite[neighbor] = facet;
+        return !met && this->winsSomewhere(values);
+      });
+    if (!fits)
+    {
+      return false;
+    }
+  }
+  grown = m_envelope.count > count;
+  return true;
+}
+
+template <int D>
+PieceIntegral FacetIntegration<D>::integralOf(int slot, const FacetConstants& facet) const
+{
+  const double* moments = m_envelope.moments[slot];
+  const double* e = facet.edge2;
+  PieceIntegral integral;
+  integral.fraction = moments[0];
+  integral.weights[0] = moments[0] - moments[1] - moments[2];
+  integral.weights[1] = moments[1];
+  integral.weights[2] = moments[2];
+  double squared = -(e[0] * (moments[1] - moments[3] - moments[4]) + e[1] * moments[4] +
+    e[2] * (moments[2] - moments[4] - moments[5]));
+  for (int k = 0; k < 3; ++k)
+  {
+    squared += integral.weights[k] * (m_views[0].squared[k] + m_envelope.values[k][slot]);
+  }
+  integral.energy = facet.mass * std::max(0.0, squared);
+  return integral;
+}
+
+template class FacetIntegration<3>;
+template class FacetIntegration<6>;
+template class FacetIntegration<8>;
+template class FacetIntegration<Eigen::Dynamic>;
+}

@@ -1,0 +1,123 @@
+/**
+ * @file FacetIntegration.h
+ * @brief Integrals over the restricted cells on one facet, for the steps of an optimisation.
+ *
+ * 1. A reference site, one of the corners' owners, and its neighbours up to twice its distance from
+ *    the facet's farthest corner: only they can win anything on the facet ([Levy12], Theorem 1).
+ *    Their values at the corners come from the reference's packed bisectors, many at once
+ *    (BisectorValues.h). Who is below the reference at no corner is out.
+ * 2. Where that list is too short to know beforehand: the envelope of the owners and of the list is
+ *    traced. A point at distance r from its site can only be won by a site within r of it, and so
+ *    within r and the point's distance from the reference of the latter. Where the list does not
+ *    reach that far, the neighbours of the part's own site join in, until nothing changes.
+ *
+ * Rounded, but never wrong by more than rounding: what cannot be vouched for is refused.
+ */
+#ifndef remesh_FacetIntegration_h
+#define remesh_FacetIntegration_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Voronoi/BisectorValues.h"
+#include "Voronoi/Envelope.h"
+#include "Voronoi/NeighborLists.h"
+#include "Voronoi/PieceIntegral.h"
+
+namespace remesh
+{
+/** One thread's working memory. D: see dispatchDimension. */
+template <int D>
+class FacetIntegration
+{
+public:
+  FacetIntegration(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
+    const std::vector<Index>& owners, InstructionSet instructions);
+
+  /** Call between blocks. */
+  void beginBlock();
+
+  /**
+   * The parts of all cells on a facet that several share. False: left to FacetDecomposition, for
+   * too many sites, too many coordinates, or for rounding.
+   */
+  bool integrate(Index facet);
+
+  /** What was found: calls `add(site, integral)` for each part. */
+  template <class Add>
+  void forEachPart(const FacetConstants& facet, const Add& add) const
+  {
+    for (int slot = 0; slot < m_envelope.count; ++slot)
+    {
+      if (m_envelope.moments[slot][0] > leastFraction)
+      {
+        add(m_ids[slot], this->integralOf(slot, facet));
+      }
+    }
+  }
+
+private:
+  /** Smaller parts are rounding. */
+  static constexpr double leastFraction = 1e-12;
+  static constexpr std::size_t numberOfPacks = 128;
+
+  /** The neighbours of a site relative to it, and their squared distances; see BisectorValues. */
+  struct Bisectors
+  {
+    Index site = noIndex;
+    std::vector<double> offsets; ///< (d + 1) x m_stride
+  };
+
+  /** The corners as a site sees them. */
+  struct View
+  {
+    Index site = noIndex;
+    double squared[3] = {};     ///< distances
+    double values[3] = {};      ///< relative to the reference
+    std::vector<double> points; ///< 3 x d
+  };
+
+  struct PartReach
+  {
+    double radius = 0.0;
+    double sum = 0.0;
+  };
+
+  const Bisectors& bisectorsOf(Index site);
+  int distinctOwners(const Triple& corners, Index owners[3]) const;
+  void look(Index site, const Triple& corners, View& view) const;
+  void addSite(Index site, const double values[3]);
+  template <class Accept>
+  bool addNeighbors(const View& view, double farthest, const Accept& accept);
+  bool integrateLarge(Index facet, const Index owners[3], int numberOfOwners);
+  bool checkCells(Index facet, bool& grown);
+  void findReach(const FacetConstants& facet, PartReach reach[]) const;
+  bool winsSomewhere(const double values[3]) const;
+  PieceIntegral integralOf(int slot, const FacetConstants& facet) const;
+
+  const EmbeddedSurface& m_surface;
+  const Sites& m_sites;
+  const NeighborLists& m_lists;
+  const std::vector<Index>& m_owners;
+  BisectorEvaluation m_evaluate;
+  EnvelopeTracing m_trace;
+
+  int m_stride;                       ///< of bisectors: the longest list, rounded up to whole lanes
+  std::vector<Bisectors> m_packs;     ///< by site modulo their number
+  std::vector<double> m_values;       ///< 3 x m_stride
+  std::vector<std::uint8_t> m_chosen; ///< m_stride / lanes
+  View m_views[3];                    ///< of the owners, the first is the reference
+  int m_numberOfViews = 0;
+  View m_cellView;
+
+  std::vector<Index> m_facetOfSite; ///< per site, the last large facet it was met on
+  std::vector<Index> m_expanded;    ///< the sites whose neighbours are in
+  Envelope m_envelope;
+  Index m_ids[Envelope::mostSites];
+};
+
+extern template class FacetIntegration<3>;
+extern template class FacetIntegration<6>;
+extern template class FacetIntegration<8>;
+extern template class FacetIntegration<Eigen::Dynamic>;
+}
+
+#endif

@@ -1,0 +1,188 @@
+#include "vtkSurfaceMeshComparison.h"
+
+#include "Adaptors/ComparisonData.h"
+#include "Adaptors/ExecutionScope.h"
+#include "Adaptors/ProgressAdaptor.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <new>
+
+vtkStandardNewMacro(vtkSurfaceMeshComparison);
+
+namespace
+{
+/** Places of the bound's search for each sample. */
+constexpr vtkIdType partsPerSample = 5;
+
+struct Surfaces
+{
+  remesh::ComparedSurface mesh;
+  remesh::ComparedSurface reference;
+  bool referenceIsEmpty = false;
+};
+
+remesh::Status readAndCompare(vtkPolyData* mesh, vtkPolyData* reference,
+  const remesh::DistanceOptions& options, const remesh::RunControl& control, Surfaces& surfaces,
+  remesh::Comparison& comparison)
+{
+  remesh::Status status = remesh::readComparedSurface(mesh, "mesh", surfaces.mesh);
+  if (!status.ok() || !reference)
+  {
+    return status.ok()
+      ? remesh::compareSurfaces(surfaces.mesh.view(), nullptr, options, control, comparison)
+      : status;
+  }
+  status = remesh::readComparedSurface(reference, "reference surface", surfaces.reference);
+  surfaces.referenceIsEmpty = status.code == remesh::StatusCode::EmptyInput;
+  if (!status.ok() && !surfaces.referenceIsEmpty)
+  {
+    return status;
+  }
+  const remesh::Triangles view = surfaces.reference.view();
+  return remesh::compareSurfaces(surfaces.mesh.view(), surfaces.referenceIsEmpty ? nullptr : &view,
+    options, control, comparison);
+}
+
+void writeOutputs(vtkPolyData* mesh, vtkPolyData* reference, const Surfaces& surfaces,
+  const remesh::Comparison& comparison, int bins, vtkInformationVector* outputs)
+{
+  using Filter = vtkSurfaceMeshComparison;
+  remesh::writeComparedMesh(
+    mesh, surfaces.mesh, comparison, vtkPolyData::GetData(outputs, Filter::MESH));
+  if (comparison.hasReference)
+  {
+    remesh::writeComparedReference(
+      reference, comparison, vtkPolyData::GetData(outputs, Filter::REFERENCE));
+  }
+  remesh::writeComparisonSummary(
+    surfaces.mesh, comparison, vtkTable::GetData(outputs, Filter::SUMMARY));
+  remesh::writeComparisonHistograms(
+    comparison, bins, vtkTable::GetData(outputs, Filter::HISTOGRAMS));
+}
+
+remesh::Execution chooseExecution(vtkObject* self, int backend, int threads)
+{
+  static const char* const names[] = { "", "Sequential", "STDThread", "TBB" };
+  bool available = true;
+  remesh::Execution execution = remesh::chooseExecution(names[backend], threads, available);
+  if (!available)
+  {
+    vtkWarningWithObjectMacro(self,
+      "This VTK has no SMP back-end " << names[backend] << "; " << execution.backend
+                                      << " is used.");
+  }
+  return execution;
+}
+}
+
+vtkSurfaceMeshComparison::vtkSurfaceMeshComparison()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+}
+
+vtkSurfaceMeshComparison::~vtkSurfaceMeshComparison() = default;
+
+void vtkSurfaceMeshComparison::SetReferenceConnection(vtkAlgorithmOutput* port)
+{
+  this->SetInputConnection(1, port);
+}
+
+void vtkSurfaceMeshComparison::SetReferenceData(vtkDataObject* reference)
+{
+  this->SetInputData(1, reference);
+}
+
+vtkPolyData* vtkSurfaceMeshComparison::GetReferenceOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(REFERENCE));
+}
+
+vtkTable* vtkSurfaceMeshComparison::GetSummaryOutput()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(SUMMARY));
+}
+
+vtkTable* vtkSurfaceMeshComparison::GetHistogramsOutput()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(HISTOGRAMS));
+}
+
+int vtkSurfaceMeshComparison::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkSurfaceMeshComparison::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= SUMMARY ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+int vtkSurfaceMeshComparison::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
+  remesh::DistanceOptions options;
+  options.numberOfSamples = this->NumberOfSamples;
+  options.boundTolerance = this->BoundMaximumDistance ? 0.01 : -1.0;
+  options.negligible = 1e-6;
+  options.maximumParts = partsPerSample * this->NumberOfSamples;
+  remesh::Execution execution = chooseExecution(this, this->SMPBackend, this->NumberOfThreads);
+  Surfaces surfaces;
+  remesh::Comparison comparison;
+  remesh::Status status;
+  try
+  {
+    remesh::runInScope(execution,
+      [&]()
+      {
+        status = readAndCompare(
+          mesh, reference, options, remesh::makeRunControl(this), surfaces, comparison);
+        if (status.ok())
+        {
+          writeOutputs(mesh, reference, surfaces, comparison, this->NumberOfBins, outputVector);
+        }
+      });
+  }
+  catch (const std::bad_alloc&)
+  {
+    status = { remesh::StatusCode::OutOfMemory, "There is not enough memory for this run." };
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject::GetData(outputVector, port)->Initialize();
+    }
+  }
+  if (surfaces.referenceIsEmpty)
+  {
+    vtkWarningMacro("The reference surface is empty: the mesh is measured alone.");
+  }
+  if (status.ok() || status.code == remesh::StatusCode::EmptyInput ||
+    status.code == remesh::StatusCode::Cancelled)
+  {
+    return 1; // the last two leave empty outputs, without a word
+  }
+  vtkErrorMacro(<< status.message);
+  return 0;
+}
+
+void vtkSurfaceMeshComparison::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "BoundMaximumDistance: " << this->BoundMaximumDistance << "\n";
+  os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "SMPBackend: " << this->SMPBackend << "\n";
+}

@@ -1,0 +1,113 @@
+#include "Cases.h"
+
+#include "Runs.h"
+#include "Scaling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh::benchmark
+{
+namespace
+{
+Measurement described(const Surface& surface, Offset points, const Settings& settings)
+{
+  return { surface.name, surface.data->GetNumberOfPolys(), points, 6, settings.threads, {} };
+}
+
+const Surface& chosen(Workshop& workshop, bool finest)
+{
+  return finest ? workshop.finest() : workshop.fine();
+}
+
+Case evaluationCase(const char* name, bool finest, double points)
+{
+  return { std::string("evaluation-") + name, "one evaluation, averaged over an optimisation",
+    [=](Workshop& workshop, CaseResult& result)
+    {
+      const Surface& surface = chosen(workshop, finest);
+      Measurement one = described(surface, workshop.shrunk(points), workshop.settings());
+      one.figures = evaluation(gaussMapped(surface.data), one.points, workshop.settings());
+      result.measurements.push_back(one);
+    } };
+}
+
+Case runCase(const char* name, bool finest, double points)
+{
+  return { std::string("run-") + name, "the command line, from file to file",
+    [=](Workshop& workshop, CaseResult& result)
+    {
+      const Surface& surface = chosen(workshop, finest);
+      Measurement one = described(surface, workshop.shrunk(points), workshop.settings());
+      one.figures = programRun(surface, one.points, workshop.settings());
+      result.measurements.push_back(one);
+    } };
+}
+
+void measureEnergy(Workshop& workshop, CaseResult& result)
+{
+  const Surface& surface = workshop.fine();
+  Measurement one = described(surface, workshop.shrunk(1e4), workshop.settings());
+  one.figures = energyLeft(gaussMapped(surface.data), one.points, workshop.settings());
+  result.measurements.push_back(one);
+}
+
+void measureWideRun(Workshop& workshop, CaseResult& result)
+{
+  const WideRun wide = { static_cast<int>(workshop.shrunk(1e5)),
+    static_cast<int>(workshop.shrunk(1e3)), 5000 };
+  const Surface surface = bumpyTorus(wide.triangles);
+  Measurement one = described(surface, wide.points, workshop.settings());
+  one.dimension = wide.dimension;
+  one.figures = wideRun(wide, workshop.settings());
+  result.measurements.push_back(one);
+}
+}
+
+const Surface& Workshop::fine()
+{
+  if (!m_fine.data)
+  {
+    m_fine = m_settings.shrink == 1.0 ? scan(m_settings.data)
+                                      : bumpyTorus(scanTriangles / m_settings.shrink);
+  }
+  return m_fine;
+}
+
+const Surface& Workshop::finest()
+{
+  if (!m_finest.data)
+  {
+    m_finest = subdivided(this->fine());
+  }
+  return m_finest;
+}
+
+Offset Workshop::shrunk(double number) const
+{
+  return static_cast<Offset>(std::max(20.0, std::round(number / m_settings.shrink)));
+}
+
+const std::vector<Case>& allCases()
+{
+  // Named by the numbers of triangles and points. Deciding ties exactly has its place here, too:
+  // a case that evaluates with and without, once there is a switch for it.
+  static const std::vector<Case> cases = {
+    evaluationCase("86k-10k", false, 1e4),
+    evaluationCase("86k-100k", false, 1e5),
+    evaluationCase("1.4M-10k", true, 1e4),
+    evaluationCase("1.4M-100k", true, 1e5),
+    evaluationCase("1.4M-1M", true, 1e6),
+    runCase("86k-10k", false, 1e4),
+    runCase("86k-100k", false, 1e5),
+    runCase("1.4M-1M", true, 1e6),
+    { "energy-86k-10k", "how far from converged a default run ends", measureEnergy },
+    { "wide-100k-1k", "the filter in 5000 dimensions", measureWideRun },
+    { "scaling-size", "over triangles m and points n: the fit a m + b n", scaleSize },
+    { "scaling-ratio", "over a factor of 100 at fixed m / n: the exponent", scaleRatio },
+    { "scaling-dimension", "over d from 3 to 1000", scaleDimension },
+    { "scaling-threads", "the filter with 1, 2, 4... threads: the speed-up", scaleThreads },
+  };
+  return cases;
+}
+}

@@ -1,0 +1,242 @@
+#include "Runs.h"
+
+#include "Adaptors/ExecutionScope.h"
+#include "Measure.h"
+#include "Optimization/Lloyd.h"
+#include "Optimization/QuasiNewton.h"
+#include "Optimization/Sampling.h"
+#include "vtkAnisotropicRemesher.h"
+
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+
+namespace remesh::benchmark
+{
+namespace
+{
+constexpr int convergedIterations = 300;
+
+void orThrow(const Status& status)
+{
+  if (!status.ok())
+  {
+    throw std::runtime_error(status.message);
+  }
+}
+
+/** An optimisation as Remesh.cxx runs it, with its diagrams. */
+struct Optimization
+{
+  explicit Optimization(const EmbeddedSurface& surface)
+    : voronoi(surface)
+  {
+  }
+
+  void run(const EmbeddedSurface& surface, int lloyd, int newton)
+  {
+    orThrow(relaxLloyd(this->voronoi, surface, lloyd, 0, RunControl(), this->sites, this->sums,
+      this->convergence, this->emptyCells));
+    QuasiNewtonOptions options;
+    options.iterations = newton;
+    orThrow(minimizeQuasiNewton(this->voronoi, surface, options, 0, RunControl(), this->sites,
+      this->sums, this->convergence, this->emptyCells));
+  }
+
+  RestrictedVoronoi voronoi;
+  Sites sites;
+  CellSums sums;
+  Convergence convergence;
+  Index emptyCells = 0;
+};
+
+/** In the back-end that the filter chooses, with as many threads as are set. */
+void inScope(const Settings& settings, const std::function<void()>& work)
+{
+  bool available = false;
+  Execution execution = chooseExecution("", settings.threads, available);
+  runInScope(execution, work);
+}
+
+/** Medians over repetitions of a run. */
+template <class Run>
+Figures repeated(const Settings& settings, const Run& run)
+{
+  std::vector<Figures> runs;
+  for (int k = 0; k < settings.repetitions; ++k)
+  {
+    runs.push_back(run());
+  }
+  return medians(runs);
+}
+
+Figures evaluationOnce(const EmbeddedSurface& surface, const Sites& sites, const Settings& settings)
+{
+  Optimization optimization(surface);
+  optimization.sites = sites;
+  Elapsed total;
+  inScope(settings,
+    [&]()
+    {
+      total = timed(
+        [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
+    });
+  const double share = 1.0 / optimization.voronoi.evaluations();
+  const auto average = [=](const Elapsed& sum) {
+    return Elapsed{ share * sum.wall, share * sum.processor };
+  };
+  const EvaluationTimes& times = optimization.voronoi.times();
+  Elapsed rest = total;
+  for (const Elapsed& part : { times.neighbors, times.ownership, times.clipping, times.reduction })
+  {
+    rest.wall -= part.wall;
+    rest.processor -= part.processor;
+  }
+  Figures figures;
+  addTimes(figures, "", average(total));
+  addTimes(figures, "neighbors", average(times.neighbors));
+  addTimes(figures, "ownership", average(times.ownership));
+  addTimes(figures, "clipping", average(times.clipping));
+  addTimes(figures, "reduction", average(times.reduction));
+  addTimes(figures, "optimizer", average(rest));
+  return figures;
+}
+
+/** A default run of the filter, other things set. */
+void runFilter(
+  vtkAnisotropicRemesher* remesher, vtkPolyData* surface, Offset points, const Settings& settings)
+{
+  remesher->SetInputData(surface);
+  remesher->SetNumberOfPoints(points);
+  remesher->SetAnisotropy(anisotropy);
+  remesher->SetNumberOfLloydIterations(settings.lloydIterations);
+  remesher->SetNumberOfNewtonIterations(settings.newtonIterations);
+  remesher->SetNumberOfThreads(settings.threads);
+  remesher->Update();
+  if (remesher->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error("the filter gave no triangles");
+  }
+}
+
+/** A folder of its own for this process's files, with all in it removed at the end. */
+class ScratchFolder
+{
+public:
+  ScratchFolder()
+  {
+    std::string name =
+      (std::filesystem::temp_directory_path() / "remesh-benchmark-XXXXXX").string();
+    if (!mkdtemp(name.data()))
+    {
+      throw std::runtime_error("cannot make a folder " + name);
+    }
+    m_path = name;
+  }
+  ~ScratchFolder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(m_path, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (m_path / name).string(); }
+
+private:
+  std::filesystem::path m_path;
+};
+}
+
+Figures evaluation(const EmbeddedSurface& surface, Offset points, const Settings& settings)
+{
+  Sites sites;
+  orThrow(sampleSurface(surface, points, SamplingMethod::Stratified, 0, sites));
+  return repeated(settings, [&]() { return evaluationOnce(surface, sites, settings); });
+}
+
+Figures filterRun(vtkPolyData* surface, Offset points, const Settings& settings)
+{
+  return repeated(settings,
+    [&]()
+    {
+      vtkNew<vtkAnisotropicRemesher> remesher;
+      Figures figures;
+      addTimes(figures, "", timed([&]() { runFilter(remesher, surface, points, settings); }));
+      return figures;
+    });
+}
+
+void runWide(const WideRun& wide, const Settings& settings)
+{
+  const Surface surface = bumpyTorus(wide.triangles);
+  surface.data->GetPointData()->AddArray(smoothFunctions(surface.data, wide.dimension - 3));
+  vtkNew<vtkAnisotropicRemesher> remesher;
+  remesher->SetEmbeddingMode(vtkAnisotropicRemesher::POSITION);
+  remesher->AddCoordinateArray("Smooth", 1.0);
+  remesher->GenerateVoronoiCellsOff();
+  runFilter(remesher, surface.data, wide.points, settings);
+}
+
+Figures wideRun(const WideRun& wide, const Settings& settings)
+{
+  const std::vector<std::string> command = { settings.self, "--lloyd",
+    std::to_string(settings.lloydIterations), "--newton", std::to_string(settings.newtonIterations),
+    "--threads", std::to_string(settings.threads), "--wide-run", std::to_string(wide.triangles),
+    std::to_string(wide.points), std::to_string(wide.dimension) };
+  const auto points = static_cast<double>(bumpyTorus(wide.triangles).data->GetNumberOfPoints());
+  const double embedding = 1e-6 * sizeof(double) * points * wide.dimension;
+  const Cost cost = costOf(settings.self, command);
+  Figures figures;
+  addTimes(figures, "", cost.elapsed);
+  figures.push_back({ "memory", cost.megabytes, "MB" });
+  figures.push_back({ "memory_multiple", cost.megabytes / embedding, "1" });
+  return figures;
+}
+
+Figures programRun(const Surface& surface, Offset points, const Settings& settings)
+{
+  const ScratchFolder folder;
+  std::string input = surface.file;
+  if (input.empty())
+  {
+    input = folder.file("surface.ply");
+    writePly(surface.data, input);
+  }
+  const std::vector<std::string> command = { settings.program, input, folder.file("mesh.vtp"),
+    "--points", std::to_string(points), "--anisotropy", std::to_string(anisotropy), "--lloyd",
+    std::to_string(settings.lloydIterations), "--newton", std::to_string(settings.newtonIterations),
+    "--threads", std::to_string(settings.threads), "--quiet" };
+  return repeated(settings,
+    [&]()
+    {
+      const Cost cost = costOf(settings.self, command);
+      Figures figures;
+      addTimes(figures, "", cost.elapsed);
+      figures.push_back({ "memory", cost.megabytes, "MB" });
+      return figures;
+    });
+}
+
+Figures energyLeft(const EmbeddedSurface& surface, Offset points, const Settings& settings)
+{
+  Optimization optimization(surface);
+  orThrow(sampleSurface(surface, points, SamplingMethod::Stratified, 0, optimization.sites));
+  inScope(
+    settings, [&]() { optimization.run(surface, settings.lloydIterations, convergedIterations); });
+  // The default run is the beginning of the longer one.
+  const std::vector<ConvergenceRow>& rows = optimization.convergence.rows;
+  const std::size_t end = std::min(rows.size() - 1,
+    static_cast<std::size_t>(settings.lloydIterations) +
+      static_cast<std::size_t>(settings.newtonIterations));
+  const double least = rows.back().energy;
+  const auto near = std::find_if(rows.begin(), rows.end(),
+    [=](const ConvergenceRow& row) { return row.energy <= 1.003 * least; });
+  return { { "energy_above_converged", 100.0 * (rows[end].energy / least - 1.0), "%" },
+    { "steps_to_0.3_percent", static_cast<double>(near - rows.begin()), "1" } };
+}
+}

@@ -1,0 +1,42 @@
+/**
+ * @file Runs.h
+ * @brief What can be measured of one surface and one number of points.
+ */
+#ifndef remesh_benchmark_Runs_h
+#define remesh_benchmark_Runs_h
+
+#include "Results.h"
+#include "Surfaces.h"
+
+namespace remesh::benchmark
+{
+/**
+ * One evaluation of the restricted Voronoi diagram's integrals and its share of the optimisation,
+ * averaged over a whole one: `processor` and `wall`, and the parts of both, `neighbors`,
+ * `ownership`, `clipping`, `reduction`, and `optimizer` for the rest.
+ */
+Figures evaluation(const EmbeddedSurface& surface, Offset points, const Settings& settings);
+
+/** The filter, from polygons to polygons: `processor`, `wall`. */
+Figures filterRun(vtkPolyData* surface, Offset points, const Settings& settings);
+
+/** The command line, from file to file: `processor`, `wall`, `memory` (peak). */
+Figures programRun(const Surface& surface, Offset points, const Settings& settings);
+
+/**
+ * The filter in many dimensions, in a process of its own: `processor` and `wall`, with the making
+ * of the embedding, peak `memory`, and this as a multiple of the embedding's, `memory_multiple`.
+ */
+Figures wideRun(const WideRun& wide, const Settings& settings);
+
+/** The work of that process. */
+void runWide(const WideRun& wide, const Settings& settings);
+
+/**
+ * How far from converged (300 quasi-Newton iterations) the default run ends:
+ * `energy_above_converged` (%), and after how many `steps_to_0.3_percent` it comes that near.
+ */
+Figures energyLeft(const EmbeddedSurface& surface, Offset points, const Settings& settings);
+}
+
+#endif

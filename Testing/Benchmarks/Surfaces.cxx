@@ -1,0 +1,160 @@
+#include "Surfaces.h"
+
+#include "Adaptors/SurfacePreparation.h"
+
+#include <vtkCellArray.h>
+#include <vtkLoopSubdivisionFilter.h>
+#include <vtkNew.h>
+#include <vtkPLYReader.h>
+#include <vtkPLYWriter.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace remesh::benchmark
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+EmbeddedSurface prepared(vtkPolyData* surface, const PreparationRequest& request)
+{
+  PreparedSurface result;
+  if (Status status = prepareSurface(surface, request, RunControl(), result); !status.ok())
+  {
+    throw std::runtime_error(status.message);
+  }
+  return std::move(result.surface);
+}
+
+/** Angles that do not repeat: the fractional parts of multiples of the golden ratio. */
+double phase(int k)
+{
+  const double turns = 0.6180339887498949 * k;
+  return 2.0 * pi * (turns - std::floor(turns));
+}
+
+/** Distance from the ring: waves around both circles, of 3 to 19 periods. */
+double tubeRadius(double u, double v)
+{
+  return 0.4 *
+    (1.0 + 0.12 * std::sin(3.0 * u + 2.0 * v) + 0.05 * std::sin(7.0 * u - 5.0 * v + 1.0) +
+      0.02 * std::sin(19.0 * u + 11.0 * v + 2.0));
+}
+}
+
+Surface scan(const std::string& folder)
+{
+  const std::string path = folder + "/armadillo.ply";
+  if (!std::ifstream(path))
+  {
+    return bumpyTorus(scanTriangles);
+  }
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error("cannot read " + path);
+  }
+  return { "armadillo", reader->GetOutput(), path };
+}
+
+Surface bumpyTorus(double triangles)
+{
+  // nu x nv squares of two triangles each, twice as many around as across.
+  const int nv = std::max(8, static_cast<int>(std::lround(std::sqrt(0.25 * triangles))));
+  const int nu = 2 * nv;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  const auto id = [=](int i, int j) { return vtkIdType{ i % nu } * nv + j % nv; };
+  for (int i = 0; i < nu; ++i)
+  {
+    for (int j = 0; j < nv; ++j)
+    {
+      const double u = 2.0 * pi * i / nu;
+      const double v = 2.0 * pi * j / nv;
+      const double r = tubeRadius(u, v);
+      const double ring = 1.0 + r * std::cos(v);
+      points->InsertNextPoint(ring * std::cos(u), ring * std::sin(u), r * std::sin(v));
+      cells->InsertNextCell({ id(i, j), id(i + 1, j), id(i + 1, j + 1) });
+      cells->InsertNextCell({ id(i, j), id(i + 1, j + 1), id(i, j + 1) });
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return { "bumpy torus", data.Get(), "" };
+}
+
+Surface subdivided(const Surface& surface)
+{
+  vtkNew<vtkLoopSubdivisionFilter> loop;
+  loop->SetInputData(surface.data);
+  loop->SetNumberOfSubdivisions(2);
+  loop->Update();
+  return { surface.name + ", subdivided twice", loop->GetOutput(), "" };
+}
+
+void writePly(vtkPolyData* surface, const std::string& path)
+{
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetInputData(surface);
+  writer->SetFileName(path.c_str());
+  if (!writer->Write() || !std::ifstream(path))
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+EmbeddedSurface gaussMapped(vtkPolyData* surface)
+{
+  PreparationRequest request;
+  request.anisotropy = anisotropy;
+  return prepared(surface, request);
+}
+
+vtkSmartPointer<vtkDoubleArray> smoothFunctions(vtkPolyData* surface, int count)
+{
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName("Smooth");
+  array->SetNumberOfComponents(count);
+  array->SetNumberOfTuples(surface->GetNumberOfPoints());
+  std::vector<std::array<double, 4>> waves; // direction and phase
+  for (int k = 0; k < count; ++k)
+  {
+    waves.push_back({ 3.0 * std::cos(phase(4 * k)), 3.0 * std::cos(phase(4 * k + 1)),
+      3.0 * std::cos(phase(4 * k + 2)), phase(4 * k + 3) });
+  }
+  const double amplitude = 0.5 / std::sqrt(count);
+  for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+  {
+    double x[3];
+    surface->GetPoint(point, x);
+    for (int k = 0; k < count; ++k)
+    {
+      const auto& [a, b, c, shift] = waves[static_cast<std::size_t>(k)];
+      array->SetTypedComponent(
+        point, k, amplitude * std::sin(a * x[0] + b * x[1] + c * x[2] + shift));
+    }
+  }
+  return array;
+}
+
+EmbeddedSurface embeddedIn(vtkPolyData* surface, int dimension)
+{
+  PreparationRequest request;
+  request.gaussMap = false;
+  const auto more = smoothFunctions(surface, std::max(1, dimension - 3));
+  if (dimension > 3)
+  {
+    request.coordinates.emplace_back(more, 1.0);
+  }
+  return prepared(surface, request);
+}
+}

@@ -1,0 +1,50 @@
+/**
+ * @file Surfaces.h
+ * @brief What is measured: a scan where there is one, else a generated surface of its size.
+ */
+#ifndef remesh_benchmark_Surfaces_h
+#define remesh_benchmark_Surfaces_h
+
+#include "Embedding/EmbeddedSurface.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace remesh::benchmark
+{
+constexpr double anisotropy = 0.02; ///< of every Gauss map, a fraction of the diagonal
+constexpr double scanTriangles = 86482.0;
+
+struct Surface
+{
+  std::string name;
+  vtkSmartPointer<vtkPolyData> data;
+  std::string file; ///< "" if it was generated
+};
+
+/** armadillo.ply (86 482 triangles) of a folder, or, where it is not, a bumpy torus of its size. */
+Surface scan(const std::string& folder);
+
+/** A torus with waves of several lengths on it, of about this many triangles. */
+Surface bumpyTorus(double triangles);
+
+/** Each triangle cut into 16: Loop's scheme, twice. */
+Surface subdivided(const Surface& surface);
+
+/** Binary PLY, as scans come. Throws std::runtime_error. */
+void writePly(vtkPolyData* surface, const std::string& path);
+
+/** Embedded by the Gauss map, d = 6, as in a default run. Throws std::runtime_error. */
+EmbeddedSurface gaussMapped(vtkPolyData* surface);
+
+/** A point array of `count` smooth functions of the positions, of a common size that is fixed. */
+vtkSmartPointer<vtkDoubleArray> smoothFunctions(vtkPolyData* surface, int count);
+
+/** Embedded by the positions and d - 3 smooth functions of them. */
+EmbeddedSurface embeddedIn(vtkPolyData* surface, int dimension);
+}
+
+#endif

@@ -1,0 +1,356 @@
+// Voronoi/Envelope and FacetIntegration: rounded integrals against those of exact pieces, the same
+// bits whatever the instructions, and few facets refused.
+
+#include "Embedding/Distance.h"
+#include "TestEmbeddings.h"
+#include "Voronoi/FacetDecomposition.h"
+#include "Voronoi/FacetIntegration.h"
+#include "Voronoi/Ownership.h"
+#include "Voronoi/PieceIntegral.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+using namespace remesh;
+
+namespace
+{
+std::vector<InstructionSet> availableSets()
+{
+  std::vector<InstructionSet> sets;
+  for (const InstructionSet set :
+    { InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512 })
+  {
+    if (isAvailable(set))
+    {
+      sets.push_back(set);
+    }
+  }
+  CHECK(isAvailable(InstructionSet::Baseline));
+  CHECK(sets.back() == widestInstructionSet());
+  return sets;
+}
+
+/** Sites as a facet sees them, and the same for the tracing. */
+std::vector<FacetSite> randomSites(int count, std::uint64_t seed, double steps)
+{
+  std::vector<FacetSite> sites;
+  for (Index id = 0; id < count; ++id)
+  {
+    FacetSite site{ id, {} };
+    for (int k = 0; k < 3; ++k)
+    {
+      const double h = 1.0 + uniform01(seed, id, k);
+      site.h[k] = steps > 0.0 ? std::floor(h * steps) / steps : h;
+    }
+    sites.push_back(site);
+  }
+  return sites;
+}
+
+void fill(Envelope& envelope, const std::vector<FacetSite>& sites)
+{
+  envelope.count = 0;
+  for (const FacetSite& site : sites)
+  {
+    const double values[3] = { site.h[0] - sites[0].h[0], site.h[1] - sites[0].h[1],
+      site.h[2] - sites[0].h[2] };
+    envelope.add(values);
+  }
+}
+
+bool sameResults(const Envelope& a, const Envelope& b)
+{
+  bool same = a.numberOfVertices == b.numberOfVertices &&
+    std::memcmp(a.moments, b.moments, sizeof(a.moments[0]) * a.count) == 0;
+  for (int v = 0; same && v < a.numberOfVertices; ++v)
+  {
+    same = std::memcmp(a.vertices[v].b, b.vertices[v].b, sizeof a.vertices[v].b) == 0 &&
+      std::equal(a.vertices[v].sites, a.vertices[v].sites + 3, b.vertices[v].sites);
+  }
+  return same;
+}
+
+/** Any instructions give the same bits, and refuse the same. */
+void testTracingSets()
+{
+  const auto baseline = std::make_unique<Envelope>();
+  const auto other = std::make_unique<Envelope>();
+  int traced = 0;
+  int different = 0;
+  for (std::uint64_t seed = 0; seed < 600; ++seed)
+  {
+    const int count = 1 + static_cast<int>(uniform01(seed, 0, 9) * Envelope::mostSites);
+    const std::vector<FacetSite> sites = randomSites(count, seed, seed % 3 == 0 ? 16.0 : 0.0);
+    fill(*baseline, sites);
+    const bool success = envelopeTracing(InstructionSet::Baseline)(*baseline);
+    traced += success;
+    for (const InstructionSet set : availableSets())
+    {
+      fill(*other, sites);
+      different += envelopeTracing(set)(*other) != success;
+      different += success && !sameResults(*baseline, *other);
+    }
+  }
+  CHECK(traced > 400);
+  CHECK_EQUAL(different, 0);
+}
+
+void testEvaluationSets()
+{
+  for (const int d : { 1, 3, 6, 8, 13 })
+  {
+    constexpr int stride = 48;
+    std::vector<double> offsets(static_cast<std::size_t>(d + 1) * stride);
+    std::vector<double> points(static_cast<std::size_t>(3) * d);
+    for (std::size_t k = 0; k < offsets.size(); ++k)
+    {
+      offsets[k] = uniform01(d, k, 0) - 0.5;
+    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      points[k] = uniform01(d, k, 1) - 0.5;
+    }
+    const double limits[2][3] = { { 0.0, 0.1, -0.1 }, { 0.2, -0.3, 0.0 } };
+    std::vector<double> expected;
+    std::vector<std::uint8_t> expectedBits;
+    for (const InstructionSet set : availableSets())
+    {
+      std::vector<double> values(3 * stride, 7.0);
+      std::vector<std::uint8_t> chosen(stride / 8, 0);
+      bisectorEvaluation(set)(
+        { offsets.data(), stride, 37, points.data(), d, limits, 2, values.data(), chosen.data() });
+      expected = expected.empty() ? values : expected;
+      expectedBits = expectedBits.empty() ? chosen : expectedBits;
+      CHECK(std::memcmp(values.data(), expected.data(), values.size() * sizeof(double)) == 0);
+      CHECK(chosen == expectedBits);
+    }
+    for (int lane = 0; lane < 37; ++lane)
+    {
+      bool below[2] = { false, false };
+      for (int k = 0; k < 3; ++k)
+      {
+        double value = offsets[static_cast<std::size_t>(d) * stride + lane];
+        for (int m = 0; m < d; ++m)
+        {
+          value -= 2.0 * points[k * d + m] * offsets[static_cast<std::size_t>(m) * stride + lane];
+        }
+        CHECK_NEAR(expected[k * stride + lane], value, 1e-14);
+        below[0] = below[0] || value < limits[0][k];
+        below[1] = below[1] || value < limits[1][k];
+      }
+      CHECK_EQUAL((expectedBits[lane / 8] >> (lane % 8) & 1) != 0, below[0] && below[1]);
+    }
+  }
+}
+
+/** Shares and centroids of the traced parts, against all sites clipped by all. */
+void testTracing()
+{
+  const auto envelope = std::make_unique<Envelope>();
+  double worst = 0.0;
+  int refused = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed)
+  {
+    const int count = 1 + static_cast<int>(uniform01(seed, 1, 9) * 30);
+    const std::vector<FacetSite> sites = randomSites(count, seed, 0.0);
+    fill(*envelope, sites);
+    if (!envelopeTracing(InstructionSet::Baseline)(*envelope))
+    {
+      ++refused;
+      continue;
+    }
+    FacetTiling tiling;
+    tiling.begin({ 5, 9, 2 }, FacetConstants());
+    for (const FacetSite& site : sites)
+    {
+      tiling.addSite(site);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      Polygon polygon;
+      tiling.wholeFacet(polygon);
+      for (int q = 0; q < count && !polygon.empty(); ++q)
+      {
+        if (q != i)
+        {
+          tiling.clip(polygon, i, q);
+        }
+      }
+      const PieceIntegral exact =
+        polygon.empty() ? PieceIntegral() : integratePiece(tiling, FacetConstants(), polygon, i);
+      const double* moments = envelope->moments[i];
+      worst = std::max({ worst, std::abs(moments[0] - exact.fraction),
+        std::abs(moments[1] - exact.weights[1]), std::abs(moments[2] - exact.weights[2]) });
+    }
+  }
+  CHECK_NEAR(worst, 0.0, 1e-12);
+  CHECK(refused <= 2);
+}
+
+/** What is known about the facets that several cells share. */
+struct Tally
+{
+  int shared = 0;
+  int refused = 0;
+  int smallShared = 0; ///< by up to three cells, as most are where facets are small
+  int smallRefused = 0;
+  double worst = 0.0;
+  int different = 0;
+};
+
+template <int D>
+void compareFacets(const EmbeddedSurface& surface, const Sites& sites, Tally& tally)
+{
+  NeighborLists lists;
+  CHECK(lists.build(sites, RunControl()).ok());
+  std::vector<Index> owners;
+  std::vector<double> squared; // not of use here
+  CHECK(findOwners(surface, sites, lists, RunControl(), owners, squared).ok());
+  FacetDecomposition<D> decomposition(surface, sites, lists, owners);
+  FacetIntegration<D> baseline(surface, sites, lists, owners, InstructionSet::Baseline);
+  FacetIntegration<D> widest(surface, sites, lists, owners, widestInstructionSet());
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    const FacetConstants& constants = surface.constants[facet];
+    decomposition.gather(facet);
+    decomposition.tile();
+    std::map<Index, PieceIntegral> difference;
+    double reach2 = 0.0;
+    for (const FacetPiece& piece : decomposition)
+    {
+      const FacetSite& site = decomposition.tiling().site(piece.slot);
+      difference[site.id] =
+        integratePiece(decomposition.tiling(), constants, piece.polygon, piece.slot);
+      reach2 = std::max({ reach2, site.h[0], site.h[1], site.h[2] });
+    }
+    if (difference.size() < 2)
+    {
+      continue;
+    }
+    ++tally.shared;
+    const bool success = baseline.integrate(facet);
+    tally.different += widest.integrate(facet) != success;
+    tally.refused += !success;
+    tally.smallShared += difference.size() <= 3;
+    tally.smallRefused += !success && difference.size() <= 3;
+    if (!success)
+    {
+      continue;
+    }
+    std::vector<std::pair<Index, PieceIntegral>> parts;
+    baseline.forEachPart(
+      constants, [&](Index site, const PieceIntegral& part) { parts.emplace_back(site, part); });
+    std::size_t next = 0;
+    widest.forEachPart(constants,
+      [&](Index site, const PieceIntegral& part)
+      {
+        tally.different += next >= parts.size() || parts[next].first != site ||
+          std::memcmp(&parts[next].second, &part, sizeof part) != 0;
+        ++next;
+      });
+    tally.different += next != parts.size();
+    for (const auto& [site, part] : parts)
+    {
+      PieceIntegral& rest = difference[site];
+      rest.fraction -= part.fraction;
+      rest.energy -= part.energy;
+      for (int k = 0; k < 3; ++k)
+      {
+        rest.weights[k] -= part.weights[k];
+      }
+    }
+    for (const auto& [site, rest] : difference)
+    {
+      tally.worst = std::max({ tally.worst, std::abs(rest.fraction), std::abs(rest.weights[0]),
+        std::abs(rest.weights[1]), std::abs(rest.weights[2]),
+        std::abs(rest.energy) / (constants.mass * reach2 + 1e-300) });
+    }
+  }
+}
+
+void compare(const EmbeddedSurface& surface, const Sites& sites, Tally& tally)
+{
+  dispatchDimension(surface.dimension,
+    [&](auto dimension) { compareFacets<decltype(dimension)::value>(surface, sites, tally); });
+}
+
+/** Facets much smaller than the cells, and much larger: any number of sites. */
+void testRandomSites()
+{
+  Tally tally;
+  for (const auto& [name, mesh] : test::smallMeshes())
+  {
+    for (const int d : { 3, 5, 6, 8 })
+    {
+      const EmbeddedSurface surface = test::embedded(mesh, d);
+      for (const Offset count : { 2, 12, 60, 300 })
+      {
+        compare(surface, test::sampled(surface, count, 3), tally);
+        compare(surface, test::shaken(test::sampled(surface, count, 4), 0.05, 5), tally);
+      }
+    }
+  }
+  std::cout << tally.refused << " of " << tally.shared << " facets refused, " << tally.smallRefused
+            << " of " << tally.smallShared << " with up to three cells, difference " << tally.worst
+            << "\n";
+  CHECK(tally.shared > 5000);
+  CHECK_EQUAL(tally.different, 0);
+  CHECK_NEAR(tally.worst, 0.0, 1e-12);
+  // On facets of many cells the lists of neighbours may be too short to vouch for all.
+  CHECK(tally.refused * 10 < tally.shared);
+  CHECK(tally.smallRefused * 100 < tally.smallShared);
+}
+
+/** Ties: refused or right. */
+void testDegenerateSites()
+{
+  Tally tally;
+  for (const auto& [name, mesh] : test::smallMeshes())
+  {
+    const EmbeddedSurface surface = test::embedded(mesh, 3);
+    Sites corners;
+    corners.dimension = 3;
+    corners.coordinates = surface.corners;
+    Sites twins = test::sampled(surface, 40, 6);
+    twins.coordinates.insert(
+      twins.coordinates.end(), twins.coordinates.begin(), twins.coordinates.begin() + 60);
+    Sites near = twins;
+    for (std::size_t k = 120; k < near.coordinates.size(); ++k)
+    {
+      near.coordinates[k] += 1e-3; // far enough for borders to be clear
+    }
+    for (const Sites& sites : { corners, twins, near })
+    {
+      compare(surface, sites, tally);
+    }
+  }
+  std::vector<Point3> grid;
+  for (int s = 0; s < 36; ++s)
+  {
+    grid.emplace_back((s % 6 + 0.5) / 6, (s / 6 + 0.5) / 6, 0.1);
+  }
+  for (const int squares : { 1, 3, 4, 6, 7 })
+  {
+    const SurfaceMesh mesh = test::meshOf(test::gridPatch(squares, squares));
+    const EmbeddedSurface surface = test::embedded(mesh, 3);
+    compare(surface, test::sitesAt(surface, grid), tally);
+  }
+  std::cout << "ties: " << tally.refused << " of " << tally.shared << " facets refused, difference "
+            << tally.worst << "\n";
+  CHECK_EQUAL(tally.different, 0);
+  CHECK_NEAR(tally.worst, 0.0, 1e-11);
+  CHECK(tally.refused > 0);
+}
+}
+
+int TestFacetIntegration(int, char*[])
+{
+  testTracingSets();
+  testEvaluationSets();
+  testTracing();
+  testRandomSites();
+  testDegenerateSites();
+  return test::result();
+}

@@ -1,0 +1,175 @@
+// Mesh/NormalFlow: the heat equation's own solutions, whatever the triangles, scale and threads.
+
+#include "Mesh/FacetGeometry.h"
+#include "Mesh/NormalFlow.h"
+#include "Mesh/Normals.h"
+#include "TestSupport.h"
+
+#include <algorithm>
+#include <limits>
+
+using namespace remesh;
+
+namespace
+{
+/** Normals of the unit square that lean by `lean` cos(k x) along x: a mode of its heat equation. */
+std::vector<Point3> waveNormals(const SurfaceMesh& square, double k, double lean)
+{
+  std::vector<Point3> normals;
+  for (const Point3& point : square.points)
+  {
+    normals.push_back(Point3(lean * std::cos(k * point[0]), 0.0, 1.0).normalized());
+  }
+  return normals;
+}
+
+/** A mode fades by 1 / (1 + k^2 t) in each of three implicit steps of t = radius^2 / 12. */
+void testDecay()
+{
+  constexpr double lean = 1e-3; // so small that normalising does not matter
+  for (const auto& [nx, ny] : { std::pair(40, 40), std::pair(90, 7), std::pair(60, 300) })
+  {
+    const SurfaceMesh square = test::meshOf(test::gridPatch(nx, ny));
+    for (const int waves : { 1, 3, 6 })
+    {
+      for (const double radius : { 0.05, 0.2 })
+      {
+        const double k = waves * test::pi;
+        std::vector<Point3> normals = waveNormals(square, k, lean);
+        smoothNormalsOver(square, radius, RunControl(), normals);
+        const double kept = std::pow(1.0 + k * k * radius * radius / 12.0, -3.0);
+        for (std::size_t i = 0; i < normals.size(); ++i)
+        {
+          const double expected = kept * lean * std::cos(k * square.points[i][0]);
+          CHECK_NEAR(normals[i][0], expected, 0.02 * lean);
+          CHECK_NEAR(normals[i].norm(), 1.0, 1e-14);
+        }
+      }
+    }
+  }
+}
+
+/** The sphere's normals are a mode that all steps keep: only the length changes. */
+void testSphere()
+{
+  const SurfaceMesh sphere = test::meshOf(test::icosphere(4));
+  std::vector<Point3> normals = sphere.points;
+  smoothNormalsOver(sphere, 0.4, RunControl(), normals);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    CHECK_NEAR((normals[i] - sphere.points[i]).norm(), 0.0, 2e-3);
+  }
+}
+
+/** Facets much larger than the radius keep their normals; nothing crosses a crease. */
+void testLocality()
+{
+  const SurfaceMesh cube = test::meshOf(test::cube());
+  std::vector<Point3> normals = estimateCornerNormals(cube, 0);
+  const std::vector<Point3> before = normals;
+  smoothNormalsOver(cube, 1e-3, RunControl(), normals);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    CHECK_NEAR((normals[i] - before[i]).norm(), 0.0, 1e-4);
+  }
+  SurfaceMesh split = cube; // each triangle on its own
+  split.cornerPoints.clear();
+  std::vector<Point3> own;
+  for (std::size_t f = 0; f < split.facetPoints.size(); ++f)
+  {
+    const auto& [a, b, c] = split.facetPoints[f];
+    for (int k = 0; k < 3; ++k)
+    {
+      split.facetCorners[f][k] = static_cast<Index>(split.cornerPoints.size());
+      split.cornerPoints.push_back(split.facetPoints[f][k]);
+      own.push_back(facetNormal(split.points[a], split.points[b], split.points[c]));
+    }
+  }
+  std::vector<Point3> flowed = own;
+  smoothNormalsOver(split, 0.7, RunControl(), flowed);
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    CHECK_NEAR((flowed[i] - own[i]).norm(), 0.0, 1e-14);
+  }
+}
+
+SurfaceMesh bumpySphere(double scale)
+{
+  SurfaceMesh sphere = test::meshOf(test::icosphere(4));
+  for (Point3& point : sphere.points)
+  {
+    point *= scale * (1.0 + 0.05 * std::sin(31.0 * point[0]) * std::cos(23.0 * point[1]));
+  }
+  return sphere;
+}
+
+/** Equal bytes for any order of the blocks; cancelled: nothing done. No unit matters. */
+void testControlAndScale()
+{
+  const SurfaceMesh mesh = bumpySphere(1.0);
+  const std::vector<Point3> before = estimateCornerNormals(mesh, 0);
+  std::vector<Point3> expected = before;
+  smoothNormalsOver(mesh, 0.15, RunControl(), expected);
+  CHECK(expected != before);
+  for (const Schedule schedule : { Schedule::ShuffledBlocks, Schedule::EightThreads })
+  {
+    RunControl control;
+    control.schedule = schedule;
+    std::vector<Point3> normals = before;
+    smoothNormalsOver(mesh, 0.15, control, normals);
+    CHECK(normals == expected);
+  }
+  std::vector<Point3> stopped = before;
+  smoothNormalsOver(mesh, 0.15, RunControl({}, []() { return true; }), stopped);
+  CHECK(stopped == before);
+  for (const double scale : { 0x1p-400, 0x1p-30, 0x1p60, 0x1p400 })
+  {
+    std::vector<Point3> normals = before;
+    smoothNormalsOver(bumpySphere(scale), 0.15 * scale, RunControl(), normals);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      largest = std::max(largest, (normals[i] - expected[i]).norm());
+    }
+    CHECK_NEAR(largest, 0.0, 1e-9);
+  }
+}
+
+/** Radii that say nothing, and facets without area or next to none. */
+void testOddInput()
+{
+  const SurfaceMesh mesh = bumpySphere(1.0);
+  const std::vector<Point3> before = estimateCornerNormals(mesh, 0);
+  for (const double radius : { 0.0, -1.0, std::numeric_limits<double>::infinity(),
+         std::numeric_limits<double>::quiet_NaN() })
+  {
+    std::vector<Point3> normals = before;
+    smoothNormalsOver(mesh, radius, RunControl(), normals);
+    CHECK(normals == before);
+  }
+  SurfaceMesh slivers = test::meshOf(test::gridPatch(20, 20));
+  for (Point3& point : slivers.points)
+  {
+    point[1] *= 1e-14;
+  }
+  slivers.points[5] = slivers.points[6]; // no area at all
+  std::vector<Point3> normals = waveNormals(slivers, 9.0, 0.5);
+  smoothNormalsOver(slivers, 0.2, RunControl(), normals);
+  for (const Point3& normal : normals)
+  {
+    CHECK_NEAR(normal.norm(), 1.0, 1e-14);
+  }
+  CHECK_NEAR(smoothingRadius(test::meshOf(test::cube()), 600), 0.15, 1e-15);
+  CHECK_EQUAL(smoothingRadius(test::meshOf(test::cube()), 0), 0.0);
+}
+}
+
+int TestNormalFlow(int, char*[])
+{
+  testDecay();
+  testSphere();
+  testLocality();
+  testControlAndScale();
+  testOddInput();
+  return test::result();
+}

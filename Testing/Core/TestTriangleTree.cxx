@@ -1,0 +1,110 @@
+// The tree of triangles against a look at all of them; signed distances to a box by its formula.
+
+#include "Comparison/PointDistance.h"
+#include "Support/Random.h"
+#include "TestTriangles.h"
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+Point3 randomPoint(std::uint64_t index, double reach)
+{
+  return { reach * (2.0 * uniform01(1, index, 0) - 1.0),
+    reach * (2.0 * uniform01(1, index, 1) - 1.0), reach * (2.0 * uniform01(1, index, 2) - 1.0) };
+}
+
+void testAgainstAll(const TriangleSoup& soup)
+{
+  const Surface surface(soup);
+  const TriangleTree tree(surface.view());
+  Index hint = noIndex;
+  for (std::uint64_t k = 0; k < 300; ++k)
+  {
+    const Point3 point = randomPoint(k, k % 2 ? 1.5 : 20.0);
+    std::vector<double> all;
+    for (const auto& [a, b, c] : surface.triangles)
+    {
+      all.push_back(
+        closestOnTriangle(point, surface.points[a], surface.points[b], surface.points[c]).squared);
+    }
+    const TriangleTree::Place place = tree.closest(point, hint);
+    hint = place.slot;
+    CHECK_EQUAL(place.at.squared, *std::min_element(all.begin(), all.end()));
+    CHECK_EQUAL(all[tree.triangleOf(place.slot)], place.at.squared);
+    CHECK_NEAR((tree.positionOf(place) - point).squaredNorm(), place.at.squared, 1e-12);
+
+    const double radius = 1.2 * place.at.squared + 0.01;
+    std::size_t found = 0;
+    tree.visitWithin(point, radius, [&](const TriangleTree::Place&) { ++found; });
+    CHECK_EQUAL(found,
+      static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [&](double d) { return d <= radius; })));
+  }
+}
+
+void testSizes()
+{
+  testAgainstAll(makeSoup({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
+  testAgainstAll(tetrahedron());
+  testAgainstAll(cube());
+  testAgainstAll(gridPatch(7, 3));
+  testAgainstAll(torus(1.0, 0.3, 23, 9));
+
+  // Triangles without area are left out.
+  TriangleSoup soup = cube();
+  soup.triangles.push_back({ 0, 0, 1 });
+  soup.triangles.push_back({ 2, 2, 2 });
+  const Surface surface(soup);
+  const TriangleTree tree(surface.view());
+  for (std::uint64_t k = 0; k < 100; ++k)
+  {
+    CHECK(tree.triangleOf(tree.closest(randomPoint(k, 2.0)).slot) < 12);
+  }
+  const Surface nothing = surfaceWithoutArea();
+  const TriangleTree none(nothing.view());
+  CHECK(none.empty());
+  CHECK_EQUAL(none.closest(Point3::Zero()).slot, noIndex);
+}
+
+/** Negative inside of the unit cube. */
+double signedDistanceToCube(const Point3& point)
+{
+  const Point3 beyond = (point - Point3::Constant(0.5)).cwiseAbs() - Point3::Constant(0.5);
+  return beyond.cwiseMax(0.0).norm() + std::min(0.0, beyond.maxCoeff());
+}
+
+void testSides()
+{
+  const Surface surface(cube());
+  const TriangleTree tree(surface.view());
+  const SideNormals sides(surface.view());
+  std::vector<Point3> points;
+  for (std::uint64_t k = 0; k < 2000; ++k)
+  {
+    points.push_back(Point3::Constant(0.5) + randomPoint(k, 1.5));
+  }
+  // Straight off corners and edges, where the closest place is shared by many triangles.
+  points.insert(
+    points.end(), { { -1, -1, -1 }, { 2, 0.5, 2 }, { 1.1, 1.1, 0.3 }, { 0.5, 0.5, 0.4 } });
+  points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  std::vector<double> distances;
+  std::vector<char> behind;
+  CHECK(measurePointDistances(points, tree, &sides, RunControl(), distances, behind).ok());
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+  {
+    CHECK_NEAR(behind[k] ? -distances[k] : distances[k], signedDistanceToCube(points[k]), 1e-14);
+  }
+  CHECK(std::isnan(distances.back()));
+  CHECK(measurePointDistances(points, tree, nullptr, RunControl(), distances, behind).ok());
+  CHECK(behind.empty());
+}
+}
+
+int TestTriangleTree(int, char*[])
+{
+  testSizes();
+  testSides();
+  return result();
+}

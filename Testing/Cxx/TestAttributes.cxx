@@ -1,0 +1,229 @@
+// What becomes of the input's point arrays and field data on the mesh, and of their roles.
+
+#include "TestBytes.h"
+#include "TestMeasures.h"
+
+#include "vtkAnisotropicRemesher.h"
+
+#include "vtkBitArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVariantArray.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+using Filter = vtkSmartPointer<vtkAnisotropicRemesher>;
+
+Filter makeFilter(vtkPolyData* input, vtkIdType points)
+{
+  auto filter = Filter::New();
+  filter->SetInputData(input);
+  filter->SetNumberOfPoints(points);
+  filter->SetNumberOfNewtonIterations(5);
+  return filter;
+}
+
+/** Runs it; returns its warnings. */
+std::vector<std::string> run(vtkAnisotropicRemesher* filter)
+{
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty());
+  return messages.warnings();
+}
+
+vtkSmartPointer<vtkPolyData> plane()
+{
+  return polyDataOf(gridPatch(12, 12));
+}
+
+/** The input's points around a vertex of the mesh of `plane()`, nearest first. */
+std::vector<vtkIdType> pointsAround(const Point3& place)
+{
+  std::vector<std::pair<double, vtkIdType>> found;
+  for (int j = 0; j <= 12; ++j)
+  {
+    for (int i = 0; i <= 12; ++i)
+    {
+      const double distance = (Point3(i / 12.0, j / 12.0, 0.0) - place).norm();
+      if (distance < 1.5 / 12.0)
+      {
+        found.emplace_back(distance, j * 13 + i);
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<vtkIdType> ids;
+  std::transform(found.begin(), found.end(), std::back_inserter(ids),
+    [](const auto& pair) { return pair.second; });
+  return ids;
+}
+
+/** Ids, bits and strings are those of a corner around; measures and colours are interpolated. */
+void testPointArrays()
+{
+  const auto input = plane();
+  const vtkIdType count = input->GetNumberOfPoints();
+  addPointArray<vtkDoubleArray>(input, "Place", 3, [](const Point3& p, int c) { return p[c]; });
+  addPointArray<vtkFloatArray>(input, "Constant", 1, [](const Point3&, int) { return 0.1f; });
+  addPointArray<vtkUnsignedCharArray>(
+    input, "Color", 4, [](const Point3& p, int c) { return c == 3 ? 255 : 240.0 * p[c]; });
+  addPointArray<vtkUnsignedCharArray>(
+    input, "Mask", 1, [](const Point3& p, int) { return p[0] > 0.5 ? 200 : 7; });
+  auto pedigree = addPointArray<vtkIdTypeArray>(input, "Origin", 1,
+    [](const Point3& p, int)
+    { return 1000 + std::round(12.0 * p[0]) + 13.0 * std::round(12.0 * p[1]); });
+  addPointArray<vtkIdTypeArray>(input, "Global", 1, [](const Point3&, int) { return 0; });
+  addPointArray<vtkBitArray>(input, "Bit", 1, [](const Point3& p, int) { return p[0] > 0.5; });
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    names->InsertNextValue(std::to_string(1000 + i));
+  }
+  input->GetPointData()->AddArray(names);
+  input->GetPointData()->SetActivePedigreeIds("Origin");
+  input->GetPointData()->SetActiveGlobalIds("Global");
+  const Filter filter = makeFilter(input, 150);
+  CHECK(run(filter).empty());
+  vtkPolyData* mesh = filter->GetOutput();
+  vtkPointData* data = mesh->GetPointData();
+  CHECK(!data->HasArray("Global") && !data->GetGlobalIds());
+  CHECK(data->GetPedigreeIds() != nullptr && data->GetPedigreeIds() == data->GetArray("Origin"));
+  auto* outNames = vtkStringArray::SafeDownCast(data->GetAbstractArray("Name"));
+  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+  {
+    const Point3 place = tupleOf(arrayOf(data, "Place"), k);
+    const std::vector<vtkIdType> around = pointsAround(place);
+    const auto origin = static_cast<vtkIdType>(arrayOf(data, "Origin")->GetComponent(k, 0)) - 1000;
+    // The corner of the largest weight: one of the three around, and mostly the nearest.
+    CHECK(std::find(around.begin(), around.begin() + 3, origin) != around.begin() + 3);
+    CHECK_EQUAL(outNames->GetValue(k), std::to_string(1000 + origin));
+    const double x = pointOf(input, origin)[0];
+    CHECK_EQUAL(arrayOf(data, "Bit")->GetComponent(k, 0), x > 0.5 ? 1.0 : 0.0);
+    CHECK_EQUAL(arrayOf(data, "Mask")->GetComponent(k, 0), x > 0.5 ? 200.0 : 7.0);
+    CHECK_EQUAL(arrayOf(data, "Constant")->GetComponent(k, 0), double(0.1f));
+    for (int c = 0; c < 3; ++c)
+    {
+      CHECK_NEAR(arrayOf(data, "Color")->GetComponent(k, c), 240.0 * place[c], 0.5 + 1e-9);
+    }
+    CHECK_EQUAL(arrayOf(data, "Color")->GetComponent(k, 3), 255.0);
+  }
+}
+
+/** A value that is no number spreads to the vertices of its own triangles, and no further. */
+void testNotANumber()
+{
+  const auto input = plane();
+  auto values =
+    addPointArray<vtkDoubleArray>(input, "Values", 1, [](const Point3& p, int) { return p[0]; });
+  values->SetComponent(6 * 13 + 6, 0, std::numeric_limits<double>::quiet_NaN());
+  const Filter filter = makeFilter(input, 150);
+  CHECK(run(filter).empty());
+  vtkPolyData* mesh = filter->GetOutput();
+  const auto found = arrayOf(mesh->GetPointData(), "Values");
+  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+  {
+    const bool near = (pointOf(mesh, k) - Point3(0.5, 0.5, 0.0)).norm() < 1.5 / 12.0;
+    CHECK(near || std::isfinite(found->GetComponent(k, 0)));
+  }
+}
+
+/** Names of components, lookup tables and active attributes stay; normals stay unit vectors. */
+void testRoles()
+{
+  const auto input = polyDataOf(icosphere(2));
+  auto tcoords = addPointArray<vtkFloatArray>(
+    input, "UV", 2, [](const Point3& p, int c) { return static_cast<float>(p[c]); });
+  tcoords->SetComponentName(0, "east");
+  tcoords->SetComponentName(1, "north");
+  addPointArray<vtkDoubleArray>(input, "T", 1, [](const Point3& p, int) { return p[2]; });
+  addPointArray<vtkDoubleArray>(input, "Wind", 3, [](const Point3& p, int c) { return p[c] * 2; });
+  addPointArray<vtkFloatArray>(
+    input, "N", 3, [](const Point3& p, int c) { return static_cast<float>(p[c]); });
+  vtkPointData* from = input->GetPointData();
+  from->SetActiveTCoords("UV");
+  from->SetActiveScalars("T");
+  from->SetActiveVectors("Wind");
+  from->SetActiveNormals("N");
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  label->SetNumberOfValues(input->GetNumberOfCells());
+  label->Fill(5);
+  input->GetCellData()->AddArray(label);
+  input->GetCellData()->SetActiveScalars("Label");
+  vtkNew<vtkIntArray> year;
+  year->SetName("Year");
+  year->InsertNextValue(2012);
+  input->GetFieldData()->AddArray(year);
+  const Filter filter = makeFilter(input, 100);
+  CHECK(run(filter).empty());
+  CHECK_EQUAL(arrayOf(filter->GetOutput()->GetFieldData(), "Year")->GetComponent(0, 0), 2012.0);
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  CHECK(data->GetTCoords() == data->GetArray("UV"));
+  CHECK(data->GetScalars() == data->GetArray("T"));
+  CHECK(data->GetVectors() == data->GetArray("Wind"));
+  CHECK(data->GetNormals() == data->GetArray("Normals"));
+  CHECK_EQUAL(std::string(data->GetArray("UV")->GetComponentName(1)), "north");
+  CHECK(filter->GetOutput()->GetCellData()->GetScalars() != nullptr);
+  const auto normals = arrayOf(data, "N");
+  CHECK_EQUAL(normals->GetDataType(), VTK_FLOAT);
+  for (vtkIdType k = 0; k < normals->GetNumberOfTuples(); ++k)
+  {
+    CHECK_NEAR(tupleOf(normals, k).norm(), 1.0, 1e-6);
+    CHECK(tupleOf(arrayOf(data, "Wind"), k).norm() < 2.0);
+  }
+}
+
+/** The mesh's own arrays win; one warning names what is lost, another what does not fit. */
+void testNamesAndLengths()
+{
+  auto input = plane();
+  const auto first = makeFilter(input, 120);
+  CHECK(run(first).empty());
+  vtkNew<vtkPolyData> again;
+  again->ShallowCopy(first->GetOutput());
+  vtkNew<vtkIntArray> none;
+  none->SetName("Empty");
+  again->GetCellData()->AddArray(none);
+  again->GetPointData()->AddArray(none);
+  const auto second = makeFilter(again, 60);
+  const std::vector<std::string> warnings = run(second);
+  CHECK_EQUAL(warnings.size(), std::size_t(1));
+  const std::string& text = warnings.empty() ? std::string() : warnings.front();
+  for (const char* name : { "SiteId", "ComponentId", "CellArea", "Embedding", "Seed", "Empty" })
+  {
+    check(text.find(std::string("\"") + name + "\"") != std::string::npos, __FILE__, __LINE__,
+      std::string("no word of ") + name + " in: " + text);
+  }
+  CHECK(text.find("\"Normals\"") == std::string::npos); // they were used
+  vtkPolyData* mesh = second->GetOutput();
+  CHECK(!mesh->GetPointData()->HasArray("Empty") && !mesh->GetCellData()->HasArray("Empty"));
+  CHECK_EQUAL(mesh->GetPointData()->GetNumberOfArrays(),
+    first->GetOutput()->GetPointData()->GetNumberOfArrays());
+  const auto sites = arrayOf(mesh->GetPointData(), "SiteId");
+  CHECK_EQUAL(sites->GetRange()[1], 59.0);
+  CHECK_EQUAL(mesh->GetFieldData()->GetNumberOfArrays(),
+    first->GetOutput()->GetFieldData()->GetNumberOfArrays());
+}
+
+}
+
+int TestAttributes(int, char*[])
+{
+  testPointArrays();
+  testNotANumber();
+  testRoles();
+  testNamesAndLengths();
+  return result();
+}

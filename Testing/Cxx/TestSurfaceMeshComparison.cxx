@@ -1,0 +1,413 @@
+// The comparison of a mesh with a reference: outputs, their values by formula, bad input, threads.
+
+#include "TestBytes.h"
+
+#include "vtkSurfaceMeshComparison.h"
+
+#include "vtkVariant.h"
+
+#include <limits>
+#include <sstream>
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Filter = vtkSmartPointer<vtkSurfaceMeshComparison>;
+
+Filter compare(vtkPolyData* mesh, vtkPolyData* reference)
+{
+  auto filter = Filter::New();
+  filter->SetInputData(mesh);
+  filter->SetReferenceData(reference);
+  filter->SetNumberOfSamples(5000);
+  return filter;
+}
+
+Filter compareNow(const TriangleSoup& mesh, const TriangleSoup& reference)
+{
+  const Filter filter = compare(polyDataOf(mesh), polyDataOf(reference));
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty() && messages.warnings().empty());
+  return filter;
+}
+
+double summaryOf(vtkSurfaceMeshComparison* filter, const char* column)
+{
+  vtkAbstractArray* values = filter->GetSummaryOutput()->GetColumnByName(column);
+  check(values && values->GetNumberOfTuples() == 1, __FILE__, __LINE__,
+    std::string("there is no column ") + column);
+  return values ? values->GetVariantValue(0).ToDouble() : nan;
+}
+
+TriangleSoup scaled(TriangleSoup soup, double factor)
+{
+  for (Point3& point : soup.points)
+  {
+    point *= factor;
+  }
+  return soup;
+}
+
+/** A sphere inside another: signs, relative distances, both ways. */
+void testSpheres()
+{
+  const TriangleSoup large = icosphere(2);
+  const Filter filter = compareNow(scaled(large, 0.9), large);
+  vtkPolyData* mesh = filter->GetOutput();
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 320);
+  const auto distance = arrayOf(mesh->GetPointData(), "Distance");
+  const auto side = arrayOf(mesh->GetPointData(), "SignedDistance");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    CHECK(distance->GetTuple1(i) > 0.08 && distance->GetTuple1(i) < 0.1);
+    CHECK_EQUAL(side->GetTuple1(i), -distance->GetTuple1(i));
+  }
+  const auto outside = arrayOf(filter->GetReferenceOutput()->GetPointData(), "SignedDistance");
+  for (vtkIdType i = 0; i < outside->GetNumberOfTuples(); ++i)
+  {
+    CHECK_NEAR(outside->GetTuple1(i), 0.1, 1e-14);
+  }
+  const double diagonal = summaryOf(filter, "ReferenceDiagonal");
+  double bounds[6];
+  polyDataOf(large)->GetBounds(bounds);
+  CHECK_NEAR(diagonal,
+    std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]), 1e-14);
+  CHECK_NEAR(summaryOf(filter, "MaximumDistance"), 0.1, 1e-14);
+  CHECK_NEAR(summaryOf(filter, "MaximumDistanceFromReference"), 0.1, 1e-14);
+  CHECK(summaryOf(filter, "MaximumDistanceToReference") < 0.1);
+  CHECK(summaryOf(filter, "MaximumDistanceBound") >= 0.1 - 1e-14);
+  CHECK(summaryOf(filter, "MaximumDistanceBound") <= 0.101 + 1e-14);
+  CHECK_NEAR(summaryOf(filter, "RelativeMaximumDistance"), 0.1 / diagonal, 1e-14);
+  CHECK_NEAR(
+    summaryOf(filter, "RelativeRMSDistance") * diagonal, summaryOf(filter, "RMSDistance"), 1e-15);
+  CHECK_NEAR(summaryOf(filter, "Area"), 0.81 * summaryOf(filter, "ReferenceArea"), 1e-12);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfFlippedTriangles"), 0.0);
+  CHECK_NEAR(summaryOf(filter, "MaximumNormalDeviation"), 0.0, 1e-6);
+  CHECK_EQUAL(summaryOf(filter, "EulerCharacteristic"), 2.0);
+  CHECK_EQUAL(summaryOf(filter, "ReferenceEulerCharacteristic"), 2.0);
+
+  filter->BoundMaximumDistanceOff();
+  filter->Update();
+  CHECK(filter->GetSummaryOutput()->GetColumnByName("MaximumDistanceBound") == nullptr);
+}
+
+/** A patch with a hole and one triangle turned over, above a plane. */
+void testFaults()
+{
+  TriangleSoup patch = gridPatch(6, 6, { 0, 0, 0.25 });
+  flip(patch, 30);
+  patch.triangles.erase(patch.triangles.begin() + 56, patch.triangles.begin() + 58);
+  const Filter filter = compareNow(patch, gridPatch(9, 7));
+  const auto flipped = arrayOf(filter->GetOutput()->GetCellData(), "Flipped");
+  const auto degrees = arrayOf(filter->GetOutput()->GetCellData(), "NormalDeviation");
+  for (vtkIdType t = 0; t < flipped->GetNumberOfTuples(); ++t)
+  {
+    CHECK_EQUAL(flipped->GetTuple1(t), t == 30 ? 1.0 : 0.0);
+    CHECK_NEAR(degrees->GetTuple1(t), t == 30 ? 180.0 : 0.0, 1e-12);
+  }
+  CHECK_EQUAL(summaryOf(filter, "NumberOfFlippedTriangles"), 1.0);
+  CHECK_NEAR(summaryOf(filter, "MeanNormalDeviation"), 180.0 / 70.0, 1e-12);
+  CHECK_EQUAL(summaryOf(filter, "IsConsistentlyOriented"), 0.0);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfBoundaryLoops"), 2.0);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfBoundaryEdges"), 28.0);
+  CHECK_EQUAL(summaryOf(filter, "EulerCharacteristic"), 0.0);
+  CHECK_EQUAL(summaryOf(filter, "ReferenceNumberOfBoundaryLoops"), 1.0);
+  CHECK_NEAR(summaryOf(filter, "MeanDistanceToReference"), 0.25, 1e-13);
+  CHECK_NEAR(summaryOf(filter, "RMSDistanceToReference"), 0.25, 1e-13);
+  // The middle of the hole is half a square's side away sideways.
+  const double farthest = std::hypot(0.25, 1.0 / 12.0);
+  CHECK(summaryOf(filter, "MaximumDistanceFromReference") <= farthest + 1e-14);
+  CHECK(summaryOf(filter, "MaximumDistanceFromReference") >= farthest / 1.01);
+  CHECK(summaryOf(filter, "MaximumDistanceBound") >= farthest - 1e-14);
+  // The mesh has no sides to speak of, the reference has.
+  CHECK(filter->GetReferenceOutput()->GetPointData()->GetArray("SignedDistance") == nullptr);
+  CHECK_NEAR(
+    arrayOf(filter->GetOutput()->GetPointData(), "SignedDistance")->GetTuple1(0), 0.25, 1e-15);
+
+  // Right-angled triangles all: one bin of each histogram but the normals'.
+  CHECK_NEAR(summaryOf(filter, "MeanMinimumAngle"), 45.0, 1e-12);
+  CHECK_NEAR(summaryOf(filter, "MaximumEdgeRatio"), std::sqrt(2.0), 1e-12);
+  vtkTable* histograms = filter->GetHistogramsOutput();
+  CHECK_EQUAL(histograms->GetNumberOfRows(), 30);
+  CHECK_NEAR(histograms->GetValueByName(22, "MinimumAngle").ToDouble(), 45.0, 1e-12);
+  CHECK_EQUAL(histograms->GetValueByName(0, "NormalDeviationTriangles").ToInt(), 69);
+  CHECK_EQUAL(histograms->GetValueByName(29, "NormalDeviationTriangles").ToInt(), 1);
+  for (const char* name :
+    { "QualityTriangles", "MinimumAngleTriangles", "NormalDeviationTriangles" })
+  {
+    int sum = 0;
+    for (vtkIdType bin = 0; bin < 30; ++bin)
+    {
+      sum += histograms->GetValueByName(bin, name).ToInt();
+    }
+    CHECK_EQUAL(sum, 70);
+  }
+}
+
+/** Points that coincide in the reference are merged there, and counted in the mesh. */
+void testSeams()
+{
+  TriangleSoup split;
+  const TriangleSoup box = cube();
+  for (const auto& [a, b, c] : box.triangles)
+  {
+    append(split, makeSoup({ box.points[a], box.points[b], box.points[c] }, { { 0, 1, 2 } }),
+      { 0, 0, 0 });
+  }
+  const Filter filter = compareNow(split, split);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfPoints"), 36.0);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfDuplicatePoints"), 28.0);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfComponents"), 12.0);
+  CHECK_EQUAL(summaryOf(filter, "ReferenceNumberOfPoints"), 8.0);
+  CHECK_EQUAL(summaryOf(filter, "ReferenceEulerCharacteristic"), 2.0);
+  CHECK_NEAR(summaryOf(filter, "MaximumDistance"), 0.0, 1e-15);
+  CHECK(summaryOf(filter, "RelativeMaximumDistanceBound") < 1e-6);
+  CHECK_EQUAL(summaryOf(filter, "MaximumNormalDeviation"), 0.0);
+  CHECK(filter->GetOutput()->GetPointData()->GetArray("SignedDistance") != nullptr);
+}
+
+void testWithoutReference()
+{
+  const Filter filter = compare(polyDataOf(torus(1.0, 0.3, 12, 9)), nullptr);
+  filter->SetInputConnection(1, nullptr);
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty() && messages.warnings().empty());
+  CHECK_EQUAL(summaryOf(filter, "EulerCharacteristic"), 0.0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 216);
+  CHECK(filter->GetOutput()->GetCellData()->GetArray("Quality") != nullptr);
+  CHECK(filter->GetOutput()->GetCellData()->GetArray("Flipped") == nullptr);
+  CHECK(filter->GetOutput()->GetPointData()->GetArray("Distance") == nullptr);
+  CHECK(filter->GetSummaryOutput()->GetColumnByName("RMSDistance") == nullptr);
+  CHECK(filter->GetHistogramsOutput()->GetColumnByName("NormalDeviation") == nullptr);
+  CHECK_EQUAL(filter->GetReferenceOutput()->GetNumberOfPoints(), 0);
+
+  // An empty one is none, with a warning.
+  filter->SetReferenceData(vtkSmartPointer<vtkPolyData>::New());
+  filter->Update();
+  CHECK(messages.errors().empty());
+  CHECK_EQUAL(messages.warnings().size(), std::size_t(1));
+  CHECK_EQUAL(summaryOf(filter, "NumberOfTriangles"), 216.0);
+
+  // A mesh without area has its counts.
+  TriangleSoup line;
+  line.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } };
+  line.triangles = { { 0, 1, 2 } };
+  filter->SetReferenceData(nullptr);
+  filter->SetInputData(polyDataOf(line));
+  messages.clear();
+  filter->Update();
+  CHECK(messages.errors().empty());
+  CHECK_EQUAL(summaryOf(filter, "NumberOfDegenerateTriangles"), 1.0);
+  CHECK_EQUAL(summaryOf(filter, "MeanQuality"), 0.0);
+}
+
+/** Quadrilaterals, strips, vertices, lines: triangles come out, with the cell data of their cells.
+ */
+void testOtherCells()
+{
+  const auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(polyDataOf(gridPatch(3, 1))->GetPoints());
+  mesh->GetPoints()->InsertNextPoint(nan, 0.0, 0.0); // of a vertex: no part of the surface
+  vtkNew<vtkCellArray> vertices, lines, polygons, strips;
+  vertices->InsertNextCell({ 8 });
+  lines->InsertNextCell({ 0, 1, 2 });
+  polygons->InsertNextCell({ 0, 1, 5, 4 });
+  strips->InsertNextCell({ 5, 1, 6, 2, 7, 3 });
+  mesh->SetVerts(vertices);
+  mesh->SetLines(lines);
+  mesh->SetPolys(polygons);
+  mesh->SetStrips(strips);
+  vtkNew<vtkDoubleArray> label;
+  label->SetName("Label");
+  for (const double value : { 1.0, 2.0, 3.0, 4.0 })
+  {
+    label->InsertNextValue(value);
+  }
+  mesh->GetCellData()->AddArray(label);
+  addPointArray<vtkDoubleArray>(mesh, "X", 1, [](const Point3& p, int) { return p.x(); });
+
+  const Filter filter = compare(mesh, polyDataOf(gridPatch(2, 2, { 0, 0, -1.0 })));
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty() && messages.warnings().empty());
+  vtkPolyData* output = filter->GetOutput();
+  CHECK_EQUAL(output->GetNumberOfCells(), 6);
+  CHECK_EQUAL(output->GetNumberOfPolys(), 6);
+  CHECK_EQUAL(output->GetNumberOfPoints(), 9);
+  const auto labels = arrayOf(output->GetCellData(), "Label");
+  const double expected[] = { 3.0, 3.0, 4.0, 4.0, 4.0, 4.0 };
+  for (vtkIdType t = 0; t < 6; ++t)
+  {
+    CHECK_EQUAL(labels->GetTuple1(t), expected[t]);
+    CHECK_EQUAL(arrayOf(output->GetCellData(), "Flipped")->GetTuple1(t), 0.0);
+  }
+  CHECK(output->GetPointData()->GetArray("X") != nullptr);
+  const auto distance = arrayOf(output->GetPointData(), "Distance");
+  CHECK(std::isnan(distance->GetTuple1(8)));
+  CHECK_EQUAL(distance->GetTuple1(0), 1.0);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfPoints"), 8.0);
+  CHECK_NEAR(summaryOf(filter, "MaximumDistanceToReference"), 1.0, 1e-15);
+  // The inputs keep what they had.
+  CHECK_EQUAL(mesh->GetPointData()->GetNumberOfArrays(), 1);
+  CHECK_EQUAL(mesh->GetCellData()->GetNumberOfArrays(), 1);
+}
+
+/** One error with these words and empty outputs; then a good run. */
+void checkFails(vtkPolyData* mesh, vtkPolyData* reference, const std::string& words)
+{
+  const Filter filter = compare(mesh, reference);
+  Messages messages(filter);
+  filter->Update();
+  CHECK_EQUAL(messages.errors().size(), std::size_t(1));
+  CHECK_EQUAL(messages.executiveErrors().size(), std::size_t(1));
+  check(!messages.errors().empty() && messages.errors()[0].find(words) != std::string::npos,
+    __FILE__, __LINE__,
+    words + " is not in: " + (messages.errors().empty() ? "" : messages.errors()[0]));
+  CHECK(outputsAreEmpty(filter));
+  filter->SetInputData(polyDataOf(cube()));
+  filter->SetReferenceData(polyDataOf(cube()));
+  messages.clear();
+  filter->Update();
+  CHECK(messages.errors().empty());
+  CHECK_NEAR(summaryOf(filter, "MaximumDistance"), 0.0, 1e-15);
+}
+
+void testErrors()
+{
+  const auto good = polyDataOf(cube());
+  const auto spoilt = [](double x)
+  {
+    const auto data = polyDataOf(cube());
+    data->GetPoints()->SetPoint(3, 0.0, x, 0.0);
+    return data;
+  };
+  const auto lines = polyDataOf(cube());
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1 });
+  lines->SetPolys(nullptr);
+  lines->SetLines(cells);
+  const auto outOfRange = polyDataOf(cube());
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 77 });
+  outOfRange->SetPolys(polygons);
+  const auto tiny = polyDataOf(scaled(cube(), 1e-200));
+  TriangleSoup flat = cube();
+  flat.triangles = { { 0, 1, 1 } };
+
+  checkFails(lines, good, "The mesh cannot be read. The input has no polygons");
+  checkFails(good, lines, "The reference surface cannot be read. The input has no polygons");
+  checkFails(
+    spoilt(nan), good, "Point 3 of the mesh, in cell 0, has a coordinate that is not finite");
+  checkFails(good, spoilt(-std::numeric_limits<double>::infinity()), "Point 3 of the reference");
+  checkFails(good, spoilt(1e200), "too far away");
+  checkFails(outOfRange, good, "refers to point 77");
+  checkFails(good, outOfRange, "refers to point 77");
+  checkFails(tiny, good, "too small");
+  checkFails(polyDataOf(flat), good, "The mesh has no triangle with an area");
+  checkFails(good, polyDataOf(flat), "The reference surface has no triangle with an area");
+
+  const Filter empty = compare(vtkSmartPointer<vtkPolyData>::New(), good);
+  Messages messages(empty);
+  empty->Update();
+  CHECK(messages.errors().empty() && messages.warnings().empty());
+  CHECK(outputsAreEmpty(empty));
+}
+
+/** The same bytes for any back-end and number of threads; an abort leaves nothing. */
+void testExecution()
+{
+  const auto mesh = polyDataOf(ellipsoid(3));
+  const auto reference = polyDataOf(ellipsoid(4));
+  std::vector<Content> expected;
+  for (const int backend : { vtkSurfaceMeshComparison::SMP_SEQUENTIAL,
+         vtkSurfaceMeshComparison::SMP_STDTHREAD, vtkSurfaceMeshComparison::SMP_AUTOMATIC })
+  {
+    for (const int threads : { 1, 2, 0 })
+    {
+      const Filter filter = compare(mesh, reference);
+      filter->SetSMPBackend(backend);
+      filter->SetNumberOfThreads(threads);
+      filter->Update();
+      const std::vector<Content> contents = contentsOf(filter);
+      expected = expected.empty() ? contents : expected;
+      checkSame(contents, expected,
+        "back-end " + std::to_string(backend) + ", threads " + std::to_string(threads));
+    }
+  }
+
+  const Filter filter = compare(mesh, reference);
+  Messages messages(filter);
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(&progress);
+  watch->SetCallback([](vtkObject*, unsigned long, void* list, void* value)
+    { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(value)); });
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  filter->Update();
+  CHECK(progress.size() > 10 && std::is_sorted(progress.begin(), progress.end()));
+  CHECK_EQUAL(progress.back(), 1.0);
+
+  for (const double limit : { 0.1, 0.4, 0.9 })
+  {
+    std::pair<vtkAlgorithm*, double> state(filter, limit);
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetClientData(&state);
+    stop->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void* value)
+      {
+        const auto& [algorithm, most] = *static_cast<std::pair<vtkAlgorithm*, double>*>(data);
+        if (*static_cast<double*>(value) >= most)
+        {
+          algorithm->SetAbortExecute(1);
+        }
+      });
+    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+    filter->Modified();
+    filter->Update();
+    filter->RemoveObserver(tag);
+    CHECK(messages.errors().empty());
+    CHECK(outputsAreEmpty(filter));
+  }
+}
+
+void testProperties()
+{
+  vtkNew<vtkSurfaceMeshComparison> filter;
+  CHECK_EQUAL(filter->GetNumberOfSamples(), 200000);
+  CHECK(filter->GetBoundMaximumDistance());
+  CHECK_EQUAL(filter->GetNumberOfBins(), 30);
+  CHECK_EQUAL(filter->GetNumberOfThreads(), 0);
+  CHECK_EQUAL(filter->GetSMPBackend(), static_cast<int>(vtkSurfaceMeshComparison::SMP_AUTOMATIC));
+  filter->SetNumberOfSamples(-3);
+  CHECK_EQUAL(filter->GetNumberOfSamples(), 1);
+  filter->SetNumberOfBins(1 << 20);
+  CHECK_EQUAL(filter->GetNumberOfBins(), 10000);
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* name : { "NumberOfSamples: ", "BoundMaximumDistance: ", "NumberOfBins: ",
+         "NumberOfThreads: ", "SMPBackend: " })
+  {
+    check(text.str().find(name) != std::string::npos, __FILE__, __LINE__,
+      std::string("not printed: ") + name);
+  }
+}
+}
+
+int TestSurfaceMeshComparison(int, char*[])
+{
+  testSpheres();
+  testFaults();
+  testSeams();
+  testWithoutReference();
+  testOtherCells();
+  testErrors();
+  testExecution();
+  testProperties();
+  return result();
+}
