@@ -190,6 +190,12 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   {
     return status;
   }
+  if (remesh::Status status =
+        findChosenArray(self->GetInputArrayInformation(3), input, "density", request.density);
+      !status.ok())
+  {
+    return status;
+  }
   const FeatureRequest& features = self->Internals->Features;
   request.preserveFeatures = features.Preserve;
   request.featureAngle = features.Angle;

@@ -42,6 +42,11 @@ int vtkRestrictedVoronoiAlgorithm::FillOutputPortInformation(int port, vtkInform
   return 1;
 }
 
+void vtkRestrictedVoronoiAlgorithm::SetDensityArray(const char* name)
+{
+  this->SetInputArrayToProcess(3, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name ? name : "");
+}
+
 vtkPolyData* vtkRestrictedVoronoiAlgorithm::GetVoronoiCellsOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(VORONOI_CELLS));
@@ -289,7 +294,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   facts.Dimension = prepared.surface.callerDimension;
   facts.Iterations = result.convergence.rows.back().iteration;
   facts.Evaluations = result.evaluations;
-  facts.Energy = result.sums.totalEnergy * source.energyUnit();
+  facts.Energy = result.sums.totalEnergy * source.energyUnit() * source.densityUnit();
   facts.Seconds["sampling"] = result.seconds.sampling;
   facts.Seconds["lloyd"] = result.seconds.lloyd;
   facts.Seconds["newton"] = result.seconds.newton;

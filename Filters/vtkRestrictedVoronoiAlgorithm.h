@@ -93,6 +93,25 @@ public:
   vtkGetMacro(VertexPlacement, int);
   ///@}
 
+  /**
+   * A point array that weights the energy: where it is large, points are dense. Input array to
+   * process 3. nullptr or "": none (default), the same weight everywhere. One component, finite and
+   * above 0 at all points that polygons use, and no value 1e40 times another, else an error when
+   * the filter runs; only ratios matter. Each triangle of the surface takes the mean of its
+   * corners.
+   *
+   * The minimised energy is the integral of the density times the squared distance to the site: the
+   * spacing of the points becomes proportional to density^(-1/4), their number per area to
+   * density^(1/2), both in the embedding. For a spacing h give h^(-4). The points that the first
+   * sampling draws, and those on features (apart from bends and corners, which get theirs anyway),
+   * follow it, too. vtkRestrictedVoronoiDiagram moves no sites: there it changes sums only.
+   *
+   * `CellWeightedMass`, the integral of the density over the cell, is then added where `CellMass`
+   * is; `CellMass`, `CellEnergy` and `Centroid` stay those without density, and the energies and
+   * gradients of port 3 are the minimised, weighted ones.
+   */
+  void SetDensityArray(const char* name);
+
   ///@{
   /** Whether to fill port 1 (default on). Off saves memory and time. */
   vtkSetMacro(GenerateVoronoiCells, bool);

@@ -26,6 +26,7 @@ struct Options
   bool PreserveFeatures = true;
   double FeatureAngle = 35.0; // degrees
   std::string Labels;         // cell array; "": none
+  std::string Density;        // point array; "": none
   int LloydIterations = 5;
   int NewtonIterations = 30;
   int Seed = 0;

@@ -32,6 +32,7 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.Add("features", options.PreserveFeatures);
   json.Add("feature_angle", options.FeatureAngle);
   json.Add("labels", options.Labels);
+  json.Add("density", options.Density);
   json.Add("lloyd", options.LloydIterations);
   json.Add("newton", options.NewtonIterations);
   json.Add("seed", options.Seed);

@@ -131,6 +131,10 @@ void ReadInput(Run& run)
   {
     CheckArray(run.Surface, coordinates.Name, false);
   }
+  if (!options.Density.empty())
+  {
+    CheckArray(run.Surface, options.Density, false);
+  }
   if (!options.Labels.empty() &&
     run.Surface->GetCellData()->GetAbstractArray(options.Labels.c_str()) == nullptr)
   {
@@ -204,6 +208,10 @@ void Remesh(Run& run)
   if (!options.Labels.empty())
   {
     remesher->SetFeatureLabelArray(options.Labels.c_str());
+  }
+  if (!options.Density.empty())
+  {
+    remesher->SetDensityArray(options.Density.c_str());
   }
   remesher->SetNumberOfLloydIterations(options.LloydIterations);
   remesher->SetNumberOfNewtonIterations(options.NewtonIterations);

@@ -57,9 +57,15 @@ void addPieceArrays(const DiagramSource& source, vtkCellData* data)
   const CellSums& sums = source.result.sums;
   columns.add<vtkDoubleArray>("CellArea", [&](Offset piece) { return sums.area[site(piece)]; });
   columns.add<vtkDoubleArray>(
-    "CellMass", [&](Offset piece) { return sums.mass[site(piece)] * source.massUnit(); });
-  columns.add<vtkDoubleArray>(
-    "CellEnergy", [&](Offset piece) { return sums.energy[site(piece)] * source.energyUnit(); });
+    "CellMass", [&](Offset piece) { return source.siteMass()[site(piece)] * source.massUnit(); });
+  columns.add<vtkDoubleArray>("CellEnergy",
+    [&](Offset piece) { return source.siteEnergy()[site(piece)] * source.energyUnit(); });
+  if (source.hasDensity())
+  {
+    columns.add<vtkDoubleArray>("CellWeightedMass",
+      [&](Offset piece)
+      { return sums.mass[site(piece)] * source.massUnit() * source.densityUnit(); });
+  }
 }
 
 enum EdgeType

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -174,6 +175,44 @@ bool lendCornerArrays(const SurfaceMesh& mesh,
   coordinates.lent = std::move(lent);
   coordinates.rows = std::move(rows);
   return true;
+}
+
+Status readFacetDensities(const SurfaceMesh& mesh, vtkDataArray* array, Offset numberOfInputPoints,
+  std::vector<double>& densities)
+{
+  constexpr double largestRatio = 1e40; // of spacings: 1e10
+  if (Status status = checkTuples(array, numberOfInputPoints); !status.ok())
+  {
+    return status;
+  }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    return Status::invalid(nameOf(array) + " has " +
+      std::to_string(array->GetNumberOfComponents()) + " components; a density has 1.");
+  }
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  densities.assign(mesh.facetInputPoints.size(), 0.0);
+  for (std::size_t f = 0; f < densities.size(); ++f)
+  {
+    for (const Offset point : mesh.facetInputPoints[f])
+    {
+      const double density = array->GetComponent(point, 0);
+      if (!(density > 0.0) || !std::isfinite(density))
+      {
+        return Status::invalid(nameOf(array) + ", chosen as the density, has a value at point " +
+          std::to_string(point) + " that is not a finite number above 0.");
+      }
+      least = std::min(least, density);
+      largest = std::max(largest, density);
+      densities[f] += density / 3.0;
+    }
+  }
+  return largest / least <= largestRatio
+    ? Status::success()
+    : Status::invalid(nameOf(array) +
+        ", chosen as the density, has values more than 1e40 times "
+        "another.");
 }
 
 Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals)

@@ -38,6 +38,15 @@ bool lendCornerArrays(const SurfaceMesh& mesh,
   const std::vector<std::pair<vtkDataArray*, double>>& arrays, Offset numberOfInputPoints,
   int leastDimension, CornerCoordinates& coordinates);
 
+/**
+ * The mean over each facet's corners of a point array of one component.
+ *
+ * @return InvalidInput, with the array's name, for a wrong number of components or tuples, and for
+ *         a value at a used point that is not finite, not above 0, or 1e40 times another.
+ */
+Status readFacetDensities(const SurfaceMesh& mesh, vtkDataArray* array, Offset numberOfInputPoints,
+  std::vector<double>& densities);
+
 /** All tuples of a point array of three components, as they are. */
 Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals);
 }

@@ -43,6 +43,32 @@ struct DiagramSource
   }
   double massUnit() const { return this->surface().unit * this->surface().unit; }
   double energyUnit() const { return this->massUnit() * this->massUnit(); }
+  /** By what the sums that a density weights are multiplied in addition. */
+  double densityUnit() const { return this->surface().densityUnit; }
+  bool hasDensity() const { return this->surface().hasDensity; }
+  /** Of the sites, without density. */
+  const std::vector<double>& siteMass() const
+  {
+    return this->hasDensity() ? this->result.plainSums.mass : this->result.sums.mass;
+  }
+  const std::vector<double>& siteEnergy() const
+  {
+    return this->hasDensity() ? this->result.plainSums.energy : this->result.sums.energy;
+  }
+  const std::vector<double>& siteMoment() const
+  {
+    return this->hasDensity() ? this->result.plainSums.moment : this->result.sums.moment;
+  }
+  /** Of the components. */
+  const std::vector<double>& componentMass() const
+  {
+    return this->hasDensity() ? this->result.plainComponentSums.mass : this->result.components.mass;
+  }
+  const std::vector<double>& componentEnergy() const
+  {
+    return this->hasDensity() ? this->result.plainComponentSums.energy
+                              : this->result.components.energy;
+  }
 };
 
 /**

@@ -65,10 +65,10 @@ void addPlaces(const DiagramSource& source, const Columns& columns)
     [&](Offset i, double* values)
     {
       const double* x = result.sites.site(static_cast<Index>(i));
-      const double mass = result.sums.mass[i];
+      const double mass = source.siteMass()[i];
       for (int c = 0; c < d; ++c)
       {
-        const double shift = mass > 0.0 ? result.sums.moment[i * stride + c] / mass : 0.0;
+        const double shift = mass > 0.0 ? source.siteMoment()[i * stride + c] / mass : 0.0;
         values[c] = source.surface().toCaller(x[c] + shift, c);
       }
     });
@@ -96,9 +96,14 @@ void writeSites(const DiagramSource& source, vtkPolyData* output)
   addPlaces(source, columns);
   columns.add<vtkDoubleArray>("CellArea", [&](Offset i) { return sums.area[i]; });
   columns.add<vtkDoubleArray>(
-    "CellMass", [&](Offset i) { return sums.mass[i] * source.massUnit(); });
+    "CellMass", [&](Offset i) { return source.siteMass()[i] * source.massUnit(); });
   columns.add<vtkDoubleArray>(
-    "CellEnergy", [&](Offset i) { return sums.energy[i] * source.energyUnit(); });
+    "CellEnergy", [&](Offset i) { return source.siteEnergy()[i] * source.energyUnit(); });
+  if (source.hasDensity())
+  {
+    columns.add<vtkDoubleArray>("CellWeightedMass",
+      [&](Offset i) { return sums.mass[i] * source.massUnit() * source.densityUnit(); });
+  }
   columns.add<vtkIdTypeArray>(
     "NumberOfNeighbors", [&](Offset i) { return result.numbersOfNeighbors[i]; });
 }
@@ -108,9 +113,9 @@ void writeConvergence(const DiagramSource& source, vtkTable* output)
   const auto& rows = source.result.convergence.rows;
   const Columns columns{ output->GetRowData(), static_cast<Offset>(rows.size()), source.control };
   columns.add<vtkIdTypeArray>("Iteration", [&](Offset k) { return rows[k].iteration; });
-  columns.add<vtkDoubleArray>(
-    "Energy", [&](Offset k) { return rows[k].energy * source.energyUnit(); });
-  const double gradientUnit = source.massUnit() * source.surface().unit;
+  columns.add<vtkDoubleArray>("Energy",
+    [&](Offset k) { return rows[k].energy * source.energyUnit() * source.densityUnit(); });
+  const double gradientUnit = source.massUnit() * source.surface().unit * source.densityUnit();
   columns.add<vtkDoubleArray>(
     "GradientNorm", [&](Offset k) { return rows[k].gradientNorm * gradientUnit; });
   columns.add<vtkDoubleArray>("StepLength", [&](Offset k) { return rows[k].stepLength; });

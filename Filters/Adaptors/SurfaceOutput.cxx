@@ -39,9 +39,14 @@ void addSiteArrays(const DiagramSource& source, const Columns& columns)
   columns.add<vtkIdTypeArray>("ComponentId", [&](Offset k) { return components.ranks[k]; });
   columns.add<vtkDoubleArray>("CellArea", [&](Offset k) { return components.area[k]; });
   columns.add<vtkDoubleArray>(
-    "CellMass", [&](Offset k) { return components.mass[k] * source.massUnit(); });
+    "CellMass", [&](Offset k) { return source.componentMass()[k] * source.massUnit(); });
   columns.add<vtkDoubleArray>(
-    "CellEnergy", [&](Offset k) { return components.energy[k] * source.energyUnit(); });
+    "CellEnergy", [&](Offset k) { return source.componentEnergy()[k] * source.energyUnit(); });
+  if (source.hasDensity())
+  {
+    columns.add<vtkDoubleArray>("CellWeightedMass",
+      [&](Offset k) { return components.mass[k] * source.massUnit() * source.densityUnit(); });
+  }
   const int d = source.dimension();
   columns.addTuples<vtkDoubleArray>("Embedding", d,
     [&](Offset k, double* values)

@@ -205,6 +205,16 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   CornerCoordinates coordinates = keep ? made : std::exchange(made, CornerCoordinates());
   Status status =
     embedSurface(prepared.mesh, std::move(coordinates), progress.step(2, 3), prepared.surface);
+  if (status.ok() && request.density)
+  {
+    std::vector<double> densities;
+    status =
+      readFacetDensities(prepared.mesh, request.density, input->GetNumberOfPoints(), densities);
+    if (status.ok())
+    {
+      weightByDensity(densities, prepared.surface);
+    }
+  }
   if (status.ok() && prepared.features && prepared.features->numberOfPatches > 1)
   {
     separatePatches(prepared.features->facetPatches, prepared.surface);

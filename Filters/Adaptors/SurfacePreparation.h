@@ -31,6 +31,7 @@ struct PreparationRequest
   vtkDataArray* normals = nullptr;   ///< of the points; nullptr: estimate
   bool normalsRequired = false;      ///< whether unusable normals are an error
   vtkDataArray* embedding = nullptr; ///< of the points; replaces all others
+  vtkDataArray* density = nullptr;   ///< of the points; nullptr: the same everywhere
   std::vector<std::pair<vtkDataArray*, double>> coordinates; ///< appended, each times its scale
 
   bool preserveFeatures = false;

@@ -261,6 +261,20 @@ Status finish(const Task& task, const RunControl& control, RemeshResult& result)
   }
 }
 
+/** What the outputs tell beside the sums that a density weights. */
+Status sumPlainly(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  if (!task.surface.hasDensity)
+  {
+    return Status::success();
+  }
+  Status status =
+    sumSitesPlainly(task.surface, result.sites, result.diagram, control, result.plainSums);
+  return status.ok() ? sumGroupsPlainly(task.surface, result.diagram, result.components.ofPiece,
+                         result.components.count(), control, result.plainComponentSums)
+                     : status;
+}
+
 /** What each vertex may do when it is placed anew. */
 std::vector<VertexKind> findVertexKinds(const RemeshResult& result)
 {
@@ -321,6 +335,10 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
   }
   control.enterPhase("Restricted Voronoi diagram", 0.85, 0.94);
   if (Status status = finish(task, control, result); !status.ok())
+  {
+    return status;
+  }
+  if (Status status = sumPlainly(task, control.silent(), result); !status.ok())
   {
     return status;
   }

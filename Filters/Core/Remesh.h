@@ -25,6 +25,7 @@
 #include "Placement/Placement.h"
 #include "Voronoi/CellSums.h"
 #include "Voronoi/Diagram.h"
+#include "Voronoi/PlainSums.h"
 
 namespace remesh
 {
@@ -57,6 +58,8 @@ struct RemeshResult
 {
   Sites sites;
   CellSums sums;
+  PlainSums plainSums;          ///< of the sites, where the surface has a density; else none
+  PlainSums plainComponentSums; ///< of the components, likewise
   Diagram diagram;
   EdgeTable edges;
   Components components;

@@ -128,6 +128,13 @@ appended.Embedding = "Position"
 _, points, _ = check_diagram(appended, 100)
 assert points.GetPointData().GetArray("Embedding").GetNumberOfComponents() == 3
 
+# A density: all arrays of one component are offered.
+assert appended.Density == "None", appended.Density
+weights = Calculator(Input=elevation, ResultArrayName="Weight", Function="1 + 15 * Elevation")
+dense = AnisotropicRemesher(Input=weights, NumberOfPoints=100, Density="Weight")
+surface, _, _ = check_diagram(dense, 100)
+assert "CellWeightedMass" in names(surface.GetPointData()), names(surface.GetPointData())
+
 # Vectors that are no normals are not taken for them.
 bare = Calculator(Input=ExtractSurface(Input=Wavelet()), ResultArrayName="Displacement",
                   Function="coords")

@@ -15,7 +15,7 @@ import subprocess
 import numpy
 
 from CommandLineTesting import FORMATS, SMALL, CommandLineTest, content, main, read, sphere, write
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 MAN_PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                         "..", "..", "Examples", "Cxx", "remesh_surface.1")
@@ -217,6 +217,23 @@ class TestResults(CommandLineTest):
         self.assertLess(radii["centroid"], radii["surface"])
         self.assertLess(radii["surface"], radii["quadric"])
         self.assertLess(radii["surface"], radii["fit"])
+
+    def test_density(self):
+        # Half the spacing for x > 0: four times as many points, but for the triangles between.
+        surface = sphere()
+        x = vtk_to_numpy(surface.GetPoints().GetData())[:, 0]
+        array = numpy_to_vtk(numpy.where(x > 0, 16.0, 1.0), deep=True)
+        array.SetName("Density")
+        surface.GetPointData().AddArray(array)
+        write(surface, self.input("dense.vtp"))
+        self.succeed(self.input("dense.vtp"), "out.vtp", "--points", "500", "--density", "Density",
+                     "--anisotropy", "0", "--report", "r.json")
+        x = vtk_to_numpy(read(self.path("out.vtp")).GetPoints().GetData())[:, 0]
+        self.assertAlmostEqual((x > 0.3).sum() / (x < -0.3).sum(), 4.0, delta=0.5)
+        with open(self.path("r.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["parameters"]["density"], "Density")
+        self.fail_with(1, "above 0", self.input(), "out2.vtp", "--density", "Height")
+        self.fail_with(1, "no point array 'Foo'", self.input(), "out2.vtp", "--density", "Foo")
 
     def test_embedding_array(self):
         self.succeed(self.input(), "out.vtp", *SMALL, "--embedding-array", "Six",

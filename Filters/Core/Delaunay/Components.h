@@ -24,9 +24,9 @@ struct Components
   std::vector<Offset> pieceBegin; ///< K + 1, into `pieces`
   std::vector<Index> pieces;      ///< pieces of each component, ascending
 
-  std::vector<double> mass;      ///< K, area in R^d, scaled units
+  std::vector<double> mass;      ///< K, density times area in R^d, scaled units
   std::vector<double> area;      ///< K, area in R^3
-  std::vector<double> energy;    ///< K, integral of |x - x_i|^2, scaled units
+  std::vector<double> energy;    ///< K, integral of density times |x - x_i|^2, scaled units
   std::vector<Point3> centroids; ///< K, centroid by mass, in R^3; feature points: their place
 
   Index count() const { return static_cast<Index>(this->sites.size()); }

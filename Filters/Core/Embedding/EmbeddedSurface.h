@@ -14,15 +14,25 @@
 #include "Embedding/CornerCoordinates.h"
 #include "Mesh/SurfaceMesh.h"
 
+#include <cmath>
+
 namespace remesh
 {
 /** What does not change about a facet while the sites move. */
 struct FacetConstants
 {
-  double mass = 0.0;                   ///< area in R^d
+  double mass = 0.0;                   ///< density times area in R^d
   double area = 0.0;                   ///< area in R^3, in the unit of the points
   double radius = 0.0;                 ///< largest distance from the centre to a corner, in R^d
   double edge2[3] = { 0.0, 0.0, 0.0 }; ///< squared length in R^d of edge k, corners k, k + 1
+  double density = 1.0;                ///< weight of the energy, see weightByDensity
+
+  /** Area in R^d. */
+  double embeddedArea() const { return this->mass / this->density; }
+  /** What the sites of a centroidal Voronoi tessellation are spread evenly over. */
+  double siteMeasure() const { return this->mass / std::sqrt(this->density); }
+  /** The same for lengths: they are evenly spaced in length times this. */
+  double lengthScale() const { return std::sqrt(std::sqrt(this->density)); }
 };
 
 /**
@@ -47,6 +57,9 @@ struct EmbeddedSurface
   std::vector<double> center;            ///< d, in the caller's units
   double unit = 1.0;                     ///< the caller's units per scaled unit, a power of two
   double mass = 0.0;                     ///< sum of the facets' masses, scaled units
+  double siteMeasure = 0.0;              ///< the same of their site measures
+  bool hasDensity = false;               ///< whether a density was given
+  double densityUnit = 1.0;              ///< the caller's per scaled unit, a power of two
 
   Index numberOfFacets() const { return static_cast<Index>(this->facetCorners.size()); }
   Index numberOfCorners() const

@@ -190,6 +190,29 @@ void roundToCaller(const EmbeddedSurface& surface, Sites& sites)
   }
 }
 
+void weightByDensity(const std::vector<double>& densities, EmbeddedSurface& surface)
+{
+  double measure = 0.0; // for the mean of the square roots: their squares may overflow
+  for (std::size_t f = 0; f < densities.size(); ++f)
+  {
+    measure += std::sqrt(densities[f]) * surface.constants[f].mass;
+  }
+  int exponent = 0;
+  std::frexp(measure / surface.mass, &exponent);
+  surface.hasDensity = true;
+  surface.densityUnit = std::ldexp(1.0, 2 * exponent - 1); // mean in (1/2, 2)
+  surface.mass = 0.0;
+  surface.siteMeasure = 0.0;
+  for (std::size_t f = 0; f < densities.size(); ++f)
+  {
+    FacetConstants& facet = surface.constants[f];
+    facet.density = densities[f] / surface.densityUnit;
+    facet.mass *= facet.density;
+    surface.mass += facet.mass;
+    surface.siteMeasure += facet.siteMeasure();
+  }
+}
+
 void separatePatches(const std::vector<Index>& facetPatches, EmbeddedSurface& surface)
 {
   const int d = surface.dimension;
@@ -271,6 +294,7 @@ Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
   {
     surface.mass += constants.mass;
   }
+  surface.siteMeasure = surface.mass;
   return surface.mass > 0.0 ? Status::success()
                             : Status::invalid("The embedded surface has no area.");
 }

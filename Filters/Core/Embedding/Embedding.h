@@ -44,6 +44,16 @@ Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
   const RunControl& control, EmbeddedSurface& surface);
 
 /**
+ * Weights the energy, facet by facet: it is the integral of the density times the squared distance
+ * to the site. In two dimensions the sites' spacing is then proportional to density^(-1/4), and
+ * their number per area to density^(1/2) (A. Gersho, "Asymptotically optimal block quantization",
+ * 1979). Densities are scaled by a power of two to about 1 on average; only ratios matter.
+ *
+ * @param densities F, finite and above 0.
+ */
+void weightByDensity(const std::vector<double>& densities, EmbeddedSurface& surface);
+
+/**
  * Adds coordinates that put patches so far apart that no site's cell reaches another patch: the
  * number of the patch times a power of two above twice the diameter, and zeros up to a dimension
  * that the distances are compiled for. Distances within a patch stay the same numbers.

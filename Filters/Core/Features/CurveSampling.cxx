@@ -200,7 +200,7 @@ std::vector<double> measureCurve(
   std::vector<double> lengths{ 0.0 };
   for (const Index edge : course.edges)
   {
-    double squared = 0.0;
+    double length = 0.0;
     for (Offset i = features.edges.edgeFacetsBegin[edge];
          i < features.edges.edgeFacetsBegin[edge + 1]; ++i)
     {
@@ -208,11 +208,11 @@ std::vector<double> measureCurve(
       const Triple& own = features.edges.facetEdges[facet];
       const auto k = static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin());
       const Triple& corners = mesh.facetCorners[facet];
-      squared = std::max(squared,
-        squaredDistance<Eigen::Dynamic>(
-          surface.corner(corners[k]), surface.corner(corners[(k + 1) % 3]), surface.dimension));
+      const double squared = squaredDistance<Eigen::Dynamic>(
+        surface.corner(corners[k]), surface.corner(corners[(k + 1) % 3]), surface.dimension);
+      length = std::max(length, surface.constants[facet].lengthScale() * std::sqrt(squared));
     }
-    lengths.push_back(lengths.back() + std::sqrt(squared));
+    lengths.push_back(lengths.back() + length);
   }
   return lengths;
 }
@@ -279,7 +279,7 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     length += course.lengths.back();
   }
   // Slivers have next to no area.
-  double spacing = std::max(std::sqrt(surface.mass / (hexagonal * n)), length / n);
+  double spacing = std::max(std::sqrt(surface.siteMeasure / (hexagonal * n)), length / n);
   double error = finestError * boundingBoxDiagonal(mesh);
   double coarsest = std::max(error, coarsestError * spacing * surface.unit);
   const auto countWith = [&](Stations& stations)

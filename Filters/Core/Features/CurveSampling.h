@@ -25,7 +25,10 @@ struct Station
 /** For each curve, places in ascending order; both ends are among them, also of closed curves. */
 using Stations = std::vector<std::vector<Station>>;
 
-/** Length along a curve in the embedding, at each of its points (m + 1): of its finest side. */
+/**
+ * Length along a curve in the embedding, as a density scales it, at each of its points (m + 1): of
+ * its finest side.
+ */
 std::vector<double> measureCurve(
   const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features, Index curve);
 

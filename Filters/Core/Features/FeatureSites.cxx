@@ -243,7 +243,7 @@ FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& su
     addCollar(mesh, surface, features, stations[c], static_cast<Index>(c), result);
   }
   result.sites.fixed = result.sites.count();
-  shake(surface, std::sqrt(surface.mass / std::max(1, result.sites.count())), result.sites);
+  shake(surface, std::sqrt(surface.siteMeasure / std::max(1, result.sites.count())), result.sites);
   return result;
 }
 }

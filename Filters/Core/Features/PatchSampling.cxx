@@ -16,9 +16,10 @@ constexpr double halfRow = 0.43301270189221932338;  // height of a border cell, 
 constexpr Offset leastClosed = 4;
 constexpr int halvings = 60;
 
+/** In lengths as a density scales them. */
 struct PatchSizes
 {
-  std::vector<double> mass;
+  std::vector<double> area;
   std::vector<double> border; ///< length of the features around it, both sides of a slit
 };
 
@@ -26,17 +27,18 @@ PatchSizes measurePatches(
   const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features)
 {
   PatchSizes sizes;
-  sizes.mass.assign(static_cast<std::size_t>(features.numberOfPatches), 0.0);
-  sizes.border = sizes.mass;
+  sizes.area.assign(static_cast<std::size_t>(features.numberOfPatches), 0.0);
+  sizes.border = sizes.area;
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
     const Index patch = features.facetPatches[f];
-    sizes.mass[patch] += surface.constants[f].mass;
+    const FacetConstants& constants = surface.constants[f];
+    sizes.area[patch] += constants.siteMeasure();
     for (int k = 0; k < 3; ++k)
     {
       if (features.kind(f, k) != FeatureKind::None)
       {
-        sizes.border[patch] += std::sqrt(surface.constants[f].edge2[k]);
+        sizes.border[patch] += constants.lengthScale() * std::sqrt(constants.edge2[k]);
       }
     }
   }
@@ -47,7 +49,7 @@ PatchSizes measurePatches(
 std::vector<Offset> leastCounts(
   const PatchSizes& sizes, const EmbeddedSurface& surface, const FeatureSites& featureSites)
 {
-  std::vector<std::vector<Index>> vertices(sizes.mass.size()); // of each patch, ascending
+  std::vector<std::vector<Index>> vertices(sizes.area.size()); // of each patch, ascending
   for (Index site = 0; site < featureSites.sites.count(); ++site)
   {
     std::vector<Index>& own = vertices[surface.patchOf(featureSites.sites.site(site))];
@@ -57,7 +59,7 @@ std::vector<Offset> leastCounts(
       own.push_back(point);
     }
   }
-  std::vector<Offset> least(sizes.mass.size(), 0);
+  std::vector<Offset> least(sizes.area.size(), 0);
   std::set<std::vector<Index>> seen;
   for (std::size_t p = 0; p < least.size(); ++p)
   {
@@ -71,13 +73,13 @@ std::vector<Offset> leastCounts(
 double demand(const PatchSizes& sizes, std::size_t patch, double spacing)
 {
   return std::max(0.0,
-    (sizes.mass[patch] - halfRow * spacing * sizes.border[patch]) / (cellArea * spacing * spacing));
+    (sizes.area[patch] - halfRow * spacing * sizes.border[patch]) / (cellArea * spacing * spacing));
 }
 
 double totalDemand(const PatchSizes& sizes, double spacing)
 {
   double sum = 0.0;
-  for (std::size_t p = 0; p < sizes.mass.size(); ++p)
+  for (std::size_t p = 0; p < sizes.area.size(); ++p)
   {
     sum += demand(sizes, p, spacing);
   }
@@ -90,7 +92,7 @@ std::vector<Offset> shareOutSites(const SurfaceMesh& mesh, const EmbeddedSurface
 {
   const PatchSizes sizes = measurePatches(mesh, surface, features);
   const auto n = static_cast<double>(std::max(wanted, Offset(0)));
-  double high = std::sqrt(surface.mass / (cellArea * std::max(n, 1.0))); // less than n fit
+  double high = std::sqrt(surface.siteMeasure / (cellArea * std::max(n, 1.0))); // less than n fit
   double low = high;
   for (int k = 0; k < halvings && totalDemand(sizes, low) < n; ++k)
   {
@@ -102,7 +104,7 @@ std::vector<Offset> shareOutSites(const SurfaceMesh& mesh, const EmbeddedSurface
     (totalDemand(sizes, middle) < n ? high : low) = middle;
   }
   // Rounded down, then up where the most was lost; lower patches first at a tie.
-  const std::size_t patches = sizes.mass.size();
+  const std::size_t patches = sizes.area.size();
   std::vector<Offset> counts(patches, 0);
   std::vector<double> lost(patches, 0.0);
   const std::vector<Offset> least = leastCounts(sizes, surface, featureSites);

@@ -23,7 +23,8 @@ enum class SamplingMethod
 Status checkNumberOfSites(Offset numberOfSites);
 
 /**
- * Draws n sites, each uniformly distributed over the surface's area in R^d.
+ * Draws n sites, each uniformly distributed over the surface's area in R^d; with a density, over
+ * the measure that the sites of a centroidal Voronoi tessellation are spread evenly over.
  *
  * Random: facets by sorted random numbers against the running area (with the first facet's area
  * counted from the start), a point of the facet by Turk's method (Graphics Gems, 1990).
@@ -39,7 +40,7 @@ Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, Sampl
   std::uint64_t seed, Sites& sites, const RunControl& control = RunControl());
 
 /**
- * Draws so many further sites in the same way from some facets of the surface, by their area.
+ * Draws so many further sites in the same way from some facets of the surface, by their measure.
  * The random numbers are those of the sites' ids. O(facets + n log n).
  */
 Status drawSites(const EmbeddedSurface& surface, const std::vector<Index>& facets, Offset count,

@@ -15,10 +15,10 @@
 
 namespace remesh
 {
-/** Per site, in scaled units (area in the unit of the points). */
+/** Per site, in scaled units (area in the unit of the points). All but `area` by density. */
 struct CellSums
 {
-  std::vector<double> mass;   ///< n, area of the cell in R^d
+  std::vector<double> mass;   ///< n, of the cell: density times area in R^d
   std::vector<double> area;   ///< n, area of the cell in R^3
   std::vector<double> energy; ///< n, integral of |x - x_i|^2 over the cell
   std::vector<double> moment; ///< n x d, integral of x - x_i over the cell
