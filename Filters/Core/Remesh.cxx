@@ -301,7 +301,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
     fixed.push_back(kind != VertexKind::Free);
   }
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
-    result.components, result.dual.triangles, fixed };
+    result.components, result.dual.triangles, fixed, &result.seams.segments };
   Status status = placeVertices(problem, task.options.placement, control, result.locations,
     result.dual.triangles, result.placement);
   result.seconds.placement = watch.lap();

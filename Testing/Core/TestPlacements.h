@@ -41,6 +41,22 @@ inline RemeshResult remeshed(
   return result;
 }
 
+/** The same mesh with its vertices placed another way. */
+inline RemeshResult placedAnew(const SurfaceMesh& mesh, double anisotropy,
+  const RemeshResult& centroids, VertexPlacement placement)
+{
+  const EmbeddedSurface surface = gaussMapOf(mesh, anisotropy);
+  const std::vector<char> none;
+  RemeshResult result = centroids;
+  result.placement = {};
+  const PlacementProblem problem{ mesh, surface, centroids.sites, centroids.diagram,
+    centroids.components, centroids.dual.triangles, none };
+  CHECK(placeVertices(
+    problem, placement, RunControl(), result.locations, result.dual.triangles, result.placement)
+          .ok());
+  return result;
+}
+
 inline double distanceTo(
   const std::vector<Triple>& triangles, const std::vector<Point3>& points, const Point3& place)
 {

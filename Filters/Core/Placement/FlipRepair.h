@@ -23,13 +23,13 @@ struct FlipRepair
  * 1. Finds the triangles whose normal makes more than 90 degrees with that of the closest facet
  *    (NearbySurface.h). Parallel.
  * 2. For each, tries other places for its vertices (not fixed ones): the cell's centroid, its point
- *    on the surface, the mean of the neighbours, and the ways there; takes what leaves the fewest
- *    flipped triangles around, and among those what faces the surface best.
- * 3. Where that does not help, turns an edge of it over, if that leaves fewer flipped triangles and
- *    makes no edge that is there already; for at most one triangle in 2000, as the mesh is to stay
- *    the dual of the diagram.
+ *    on the surface, the mean of the neighbours, and the ways there; then turns its edges over (not
+ *    those along features), if the topology stays. Each step must turn a triangle back.
+ * 3. What is left after a few passes gets more places to try, and all around it may move and turn:
+ *    steps need only lower what the triangles deviate from the surface's normals.
  *
- * Steps 2 and 3 go from triangle to triangle in order, up to four times: flipped ones are few.
+ * Steps 2 and 3 go from triangle to triangle in order: flipped ones are few. They end when nothing
+ * is flipped, or nothing helps.
  *
  * @param surfacePlaces K, the points of the surface closest to the centroids.
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.

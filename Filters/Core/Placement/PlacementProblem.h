@@ -5,6 +5,7 @@
 #ifndef remesh_PlacementProblem_h
 #define remesh_PlacementProblem_h
 
+#include "Delaunay/Collar.h"
 #include "Delaunay/Components.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Voronoi/Diagram.h"
@@ -21,6 +22,7 @@ struct PlacementProblem
   const Components& components;
   const std::vector<Triple>& triangles; ///< of components
   const std::vector<char>& fixed;       ///< K, 1: a vertex that stays; or empty: none
+  const std::vector<FeatureSegment>* featureEdges = nullptr; ///< edges that stay, if there are any
 
   Index numberOfVertices() const { return this->components.count(); }
   bool isFixed(std::size_t vertex) const

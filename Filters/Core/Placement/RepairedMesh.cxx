@@ -1,0 +1,172 @@
+#include "Placement/RepairedMesh.h"
+
+#include "Placement/TriangleShape.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace remesh
+{
+namespace
+{
+constexpr double stretchWeight = 0.05;
+constexpr double largestStretch = 10.0;
+
+bool has(const Triple& triangle, Index vertex)
+{
+  return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
+}
+}
+
+RepairedMesh::RepairedMesh(const PlacementProblem& problem, const NearbySurface& surface,
+  const std::vector<Point3>& shapes, std::vector<Triple>& triangles, std::vector<Point3>& positions)
+  : m_problem(problem)
+  , m_surface(surface)
+  , m_shapes(shapes)
+  , m_triangles(triangles)
+  , m_positions(positions)
+  , m_stars(triangles, problem.numberOfVertices())
+{
+  if (problem.featureEdges)
+  {
+    for (const FeatureSegment& segment : *problem.featureEdges)
+    {
+      m_featureEdges.insert(std::minmax(segment.ends[0], segment.ends[1]));
+    }
+  }
+}
+
+std::vector<Index> RepairedMesh::star(Index vertex) const
+{
+  if (const auto found = m_changedStars.find(vertex); found != m_changedStars.end())
+  {
+    return found->second;
+  }
+  return { m_stars.triangles.begin() + m_stars.begin(vertex),
+    m_stars.triangles.begin() + m_stars.end(vertex) };
+}
+
+std::vector<Index> RepairedMesh::neighbours(Index vertex) const
+{
+  std::vector<Index> around;
+  for (const Index t : this->star(vertex))
+  {
+    std::copy_if(m_triangles[t].begin(), m_triangles[t].end(), std::back_inserter(around),
+      [vertex](Index other) { return other != vertex; });
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  return around;
+}
+
+Point3 RepairedMesh::onSurface(Index vertex, const Point3& place) const
+{
+  std::vector<Index> cells = this->neighbours(vertex);
+  cells.push_back(vertex);
+  const SurfaceLocation at = m_surface.closest(cells.data(), cells.data() + cells.size(), place);
+  if (at.facet == noIndex)
+  {
+    return place;
+  }
+  return at.b[0] * m_problem.facetPoint(at.facet, 0) + at.b[1] * m_problem.facetPoint(at.facet, 1) +
+    at.b[2] * m_problem.facetPoint(at.facet, 2);
+}
+
+bool RepairedMesh::isFlipped(const Triple& triangle) const
+{
+  return m_surface.facingOf(triangle, cornersOf(triangle, m_positions)) < 0.0;
+}
+
+double RepairedMesh::cost(const Triple& triangle) const
+{
+  const Corners corners = cornersOf(triangle, m_positions);
+  const double cosine = m_surface.facingOf(triangle, corners);
+  const double stretch = stretchRatio(cornersOf(triangle, m_shapes), corners);
+  return (cosine < 0.0 ? flippedCost : 0.0) + (1.0 - cosine) +
+    stretchWeight * std::min(stretch, largestStretch);
+}
+
+double RepairedMesh::costOfStar(const std::vector<Index>& star) const
+{
+  return std::accumulate(star.begin(), star.end(), 0.0,
+    [&](double sum, Index t) { return sum + this->cost(m_triangles[t]); });
+}
+
+/** The one other triangle on an edge, or noIndex. */
+Index RepairedMesh::acrossEdge(Index triangle, Index a, Index b) const
+{
+  Index other = noIndex;
+  for (const Index t : this->star(a))
+  {
+    if (t != triangle && has(m_triangles[t], b))
+    {
+      if (other != noIndex)
+      {
+        return noIndex; // more than two triangles
+      }
+      other = t;
+    }
+  }
+  return other;
+}
+
+/** Whether a vertex keeps a sound star with one triangle less. */
+bool RepairedMesh::mayLose(Index vertex) const
+{
+  const std::size_t triangles = this->star(vertex).size();
+  const bool isOpen = this->neighbours(vertex).size() > triangles;
+  return triangles > (isOpen ? 1 : 3);
+}
+
+bool RepairedMesh::canTurn(Index triangle, int k, Turn& turn) const
+{
+  const Triple corners = m_triangles[triangle];
+  const Index apex = corners[k];
+  const Index a = corners[(k + 1) % 3];
+  const Index b = corners[(k + 2) % 3];
+  const Index other = this->acrossEdge(triangle, a, b);
+  if (other == noIndex || m_featureEdges.count(std::minmax(a, b)) > 0)
+  {
+    return false;
+  }
+  const Triple across = m_triangles[other];
+  int far = 0;
+  while (across[far] == a || across[far] == b)
+  {
+    ++far;
+  }
+  const Index opposite = across[far];
+  const bool consistent = across[(far + 1) % 3] == b; // the two triangles turn the same way
+  const std::vector<Index> linked = this->neighbours(apex);
+  if (!consistent || opposite == apex ||
+    std::binary_search(linked.begin(), linked.end(), opposite) || !this->mayLose(a) ||
+    !this->mayLose(b))
+  {
+    return false;
+  }
+  turn = { { triangle, other }, { Triple{ apex, a, opposite }, Triple{ apex, opposite, b } } };
+  return true;
+}
+
+void RepairedMesh::apply(const Turn& turn)
+{
+  for (const Index t : turn.old)
+  {
+    for (const Index vertex : m_triangles[t])
+    {
+      std::vector<Index> rest = this->star(vertex);
+      rest.erase(std::remove(rest.begin(), rest.end(), t), rest.end());
+      m_changedStars[vertex] = rest;
+    }
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    m_triangles[turn.old[k]] = turn.fresh[k];
+    for (const Index vertex : turn.fresh[k])
+    {
+      std::vector<Index>& more = m_changedStars[vertex];
+      more.insert(std::upper_bound(more.begin(), more.end(), turn.old[k]), turn.old[k]);
+    }
+  }
+}
+}
