@@ -42,8 +42,7 @@ int vtkAnisotropicRemesher::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
-  const vtkIdType points =
-    initialSites ? initialSites->GetNumberOfPoints() : this->NumberOfPoints;
+  const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints() : this->NumberOfPoints;
   if (points < 4)
   {
     vtkErrorMacro("A mesh needs at least 4 points; "
@@ -55,6 +54,9 @@ int vtkAnisotropicRemesher::RequestData(
   remesh::RemeshOptions options;
   options.exactNumber = preserve;
   options.numberOfSites = this->NumberOfPoints;
+  options.maximumExtraPoints = this->MaximumNumberOfExtraPoints == ONE_PERCENT ? points / 100
+    : this->MaximumNumberOfExtraPoints == UNLIMITED ? remesh::maximumIndex
+                                                    : this->MaximumNumberOfExtraPoints;
   options.sampling = this->SamplingMethod == RANDOM ? remesh::SamplingMethod::Random
                                                     : remesh::SamplingMethod::Stratified;
   options.seed = static_cast<std::uint64_t>(this->Seed);
@@ -72,6 +74,7 @@ void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "PreserveFeatures: " << this->PreserveFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MaximumNumberOfExtraPoints: " << this->MaximumNumberOfExtraPoints << "\n";
   os << indent << "SamplingMethod: " << this->SamplingMethod << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfLloydIterations: " << this->NumberOfLloydIterations << "\n";

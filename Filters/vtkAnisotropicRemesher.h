@@ -11,10 +11,12 @@
  *
  * Features of the surface are kept unless `PreserveFeatures` is off: see there.
  *
- * Where the mesh is no manifold in a few places of a manifold surface (at most 1 % of the points), as
- * at thin tips, the sites that matter least are moved there, and two more Lloyd iterations follow,
- * up to eight times. That is no part of the optimisation: `Convergence` ends before it, and nothing
- * is moved when both numbers of iterations are 0.
+ * Where the mesh is not proven to have the topology of the surface (see `TopologyPreserved`), as on
+ * thin parts and at tips, sites are added, and those that matter least are taken away, until it is
+ * or nothing helps any more; then the mesh may have more points (`MaximumNumberOfExtraPoints`). If
+ * even that fails, the best of these meshes is given back, with a warning. All this is no part of
+ * the optimisation: `Convergence` ends before it, and nothing is changed when both numbers of
+ * iterations are 0.
  *
  * Input port 0: the surface. Input port 1 (optional): initial sites. Their number replaces
  * `NumberOfPoints`; their point array `Embedding`, if it has d components, is their place in R^d,
@@ -49,10 +51,10 @@ public:
 
   ///@{
   /**
-   * Number of points of the mesh, default 10000. Fewer than 4 is an error when the filter runs. With
-   * `PreserveFeatures` it has as many, unless its corners and curves alone need more. Without, this
-   * is the number of sites, and the mesh has more points where restricted cells are not connected
-   * (see `NumberOfExtraPoints`).
+   * Number of points of the mesh, default 10000. Fewer than 4 is an error when the filter runs.
+   * With `PreserveFeatures` it has as many, unless its corners and curves alone need more, or its
+   * topology does (see `MaximumNumberOfExtraPoints`). Without, this is the number of sites, and the
+   * mesh has more points where restricted cells are not connected (see `NumberOfExtraPoints`).
    */
   vtkSetClampMacro(NumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfPoints, vtkIdType);
@@ -90,6 +92,22 @@ public:
    * of components, or strings; one that the input lacks is an error when the filter runs.
    */
   void SetFeatureLabelArray(const char* name);
+
+  enum ExtraPoints
+  {
+    ONE_PERCENT = -2,
+    UNLIMITED = -1
+  };
+
+  ///@{
+  /**
+   * By how many points the mesh may exceed `NumberOfPoints` where it cannot have the topology of
+   * the surface otherwise: ONE_PERCENT (-2, default) of them, UNLIMITED (-1), or a number; 0
+   * forbids. The field array `NumberOfExtraPoints` of port 0 tells how many there are.
+   */
+  vtkSetClampMacro(MaximumNumberOfExtraPoints, vtkIdType, ONE_PERCENT, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfExtraPoints, vtkIdType);
+  ///@}
 
   ///@{
   /**
@@ -166,6 +184,7 @@ private:
   vtkIdType NumberOfPoints = 10000;
   bool PreserveFeatures = true;
   double FeatureAngle = 35.0;
+  vtkIdType MaximumNumberOfExtraPoints = ONE_PERCENT;
   int SamplingMethod = STRATIFIED;
   int Seed = 0;
   int NumberOfLloydIterations = 5;

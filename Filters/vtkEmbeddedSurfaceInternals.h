@@ -38,6 +38,7 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
     int Iterations = 0;
     int Evaluations = 0;
     double Energy = 0.0;
+    std::string TopologyReport;
     std::map<std::string, double> Seconds;
   } LastRun;
 

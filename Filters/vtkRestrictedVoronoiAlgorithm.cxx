@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <iterator>
@@ -85,6 +86,11 @@ int vtkRestrictedVoronoiAlgorithm::GetNumberOfEvaluations() const
 double vtkRestrictedVoronoiAlgorithm::GetEnergy() const
 {
   return this->Internals->LastRun.Energy;
+}
+
+const char* vtkRestrictedVoronoiAlgorithm::GetTopologyReport() const
+{
+  return this->Internals->LastRun.TopologyReport.c_str();
 }
 
 double vtkRestrictedVoronoiAlgorithm::GetPhaseSeconds(const char* phase) const
@@ -197,7 +203,7 @@ std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
       " sites have empty cells: the surface cannot hold so many points.");
   }
   const remesh::Offset extra = result.components.count() - result.wantedVertices;
-  if (100 * extra > result.sites.count())
+  if (extra > std::max(result.sites.count() / remesh::Offset(100), options.maximumExtraPoints))
   {
     warnings.push_back("The mesh has " + std::to_string(extra) +
       " points more than asked for, as so many cells reach several parts of the surface. More "
@@ -212,10 +218,12 @@ std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
       std::to_string(result.featureSites.numberOfPoints()) +
       " of them there. More points or a larger feature angle help.");
   }
-  if (prepared.intake.nonManifoldEdges == 0 && result.dual.numberOfNonManifoldEdges > 0)
+  using remesh::TopologyFailure;
+  if (const TopologyFailure failure = result.topology.failure();
+      failure == TopologyFailure::Diagram || failure == TopologyFailure::Mesh)
   {
-    warnings.push_back("The mesh has " + std::to_string(result.dual.numberOfNonManifoldEdges) +
-      " non-manifold edges where the surface has none. More points or less anisotropy help.");
+    warnings.push_back(
+      result.topology.describe() + " More points, extra points or less anisotropy help.");
   }
   return warnings;
 }
@@ -263,9 +271,8 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       facts.Seconds["intake"] = secondsSince(start);
       if (status.ok())
       {
-        status =
-          remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95), result,
-            prepared.features ? &*prepared.features : nullptr);
+        status = remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95),
+          result, prepared.features ? &*prepared.features : nullptr);
       }
       if (status.ok())
       {
@@ -294,6 +301,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   facts.Dimension = prepared.surface.callerDimension;
   facts.Iterations = result.convergence.rows.back().iteration;
   facts.Evaluations = result.evaluations;
+  facts.TopologyReport = result.topology.describe();
   facts.Energy = result.sums.totalEnergy * source.energyUnit() * source.densityUnit();
   facts.Seconds["sampling"] = result.seconds.sampling;
   facts.Seconds["lloyd"] = result.seconds.lloyd;
@@ -313,4 +321,5 @@ void vtkRestrictedVoronoiAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfIterations: " << this->GetNumberOfIterations() << "\n";
   os << indent << "NumberOfEvaluations: " << this->GetNumberOfEvaluations() << "\n";
   os << indent << "Energy: " << this->GetEnergy() << "\n";
+  os << indent << "TopologyReport: " << this->GetTopologyReport() << "\n";
 }

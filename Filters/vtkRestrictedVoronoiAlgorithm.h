@@ -18,8 +18,14 @@
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
  * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose
  * normal makes more than 90 degrees with the surface's closest to their centre),
- * `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `NumberOfExtraPoints` (components beyond the
- * number of sites), `Seed`.
+ * `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `NumberOfExtraPoints`
+ * (points beyond those asked for, or, where sites are given or features are not preserved, beyond
+ * the number of sites), `Seed`.
+ *
+ * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface: from
+ * the diagram, whose cells must be disks that meet in segments and points (the closed ball property
+ * of Edelsbrunner and Shah), and from the mesh itself. It is 0 where that is not so, and always for
+ * a surface that is no manifold; GetTopologyReport() tells why.
  *
  * The input's arrays on port 0 keep names, types, component names and roles (active scalars and so
  * on), and field data is passed:
@@ -154,8 +160,14 @@ public:
   ///@}
 
   /**
+   * Why `TopologyPreserved` is 0 after the last execution: one sentence with the numbers of the
+   * places that fail. "" where it is 1, and before the first execution.
+   */
+  const char* GetTopologyReport() const;
+
+  /**
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
-   * "sampling", "lloyd", "newton", "repair" (moving sites to where the mesh is no manifold),
+   * "sampling", "lloyd", "newton", "repair" (of the mesh's topology),
    * "placement" (of the mesh's points), "diagram" (diagram, dual and output arrays). 0 for other names.
    */
   double GetPhaseSeconds(const char* phase) const;

@@ -171,6 +171,10 @@ std::vector<Option> MakeTable()
     { "--density", "ARRAY",
       "Point array of numbers above 0: the spacing of the points follows its power of -1/4.",
       Text("--density", &Options::Density) },
+    { "--max-extra-points", "K",
+      "How many more points the mesh may have where it cannot be like the surface otherwise; 0: "
+      "none, -1: unlimited. Default -2: one percent of the points.",
+      Integer("--max-extra-points", &Options::MaximumExtraPoints, -2, Limits::max()) },
     { "--lloyd", "K", "Lloyd iterations, 0 to 100000. Default 5.",
       Integer("--lloyd", &Options::LloydIterations, 0, 100000) },
     { "--newton", "K", "Quasi-Newton iterations after them, 0 to 100000. Default 30.",

@@ -27,6 +27,7 @@ struct Options
   double FeatureAngle = 35.0; // degrees
   std::string Labels;         // cell array; "": none
   std::string Density;        // point array; "": none
+  int MaximumExtraPoints = -2; // one percent of the points; -1: unlimited
   int LloydIterations = 5;
   int NewtonIterations = 30;
   int Seed = 0;

@@ -33,6 +33,7 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.Add("feature_angle", options.FeatureAngle);
   json.Add("labels", options.Labels);
   json.Add("density", options.Density);
+  json.Add("max_extra_points", options.MaximumExtraPoints);
   json.Add("lloyd", options.LloydIterations);
   json.Add("newton", options.NewtonIterations);
   json.Add("seed", options.Seed);
@@ -58,16 +59,29 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.EndObject();
 }
 
+/** A number of the surface's field data, 0 if it is not there. */
+long long FactOf(vtkPolyData* surface, const char* name)
+{
+  vtkDataArray* fact = surface->GetFieldData()->GetArray(name);
+  return fact != nullptr && fact->GetNumberOfTuples() > 0
+    ? static_cast<long long>(fact->GetComponent(0, 0))
+    : 0;
+}
+
 void AddOutput(JsonWriter& json, vtkPolyData* surface)
 {
   json.BeginObject("output");
   json.Add("points", static_cast<long long>(surface->GetNumberOfPoints()));
   json.Add("triangles", static_cast<long long>(surface->GetNumberOfPolys()));
-  vtkDataArray* extra = surface->GetFieldData()->GetArray("NumberOfExtraPoints");
-  if (extra != nullptr && extra->GetNumberOfTuples() > 0)
-  {
-    json.Add("extra_points", static_cast<long long>(extra->GetComponent(0, 0)));
-  }
+  json.Add("extra_points", FactOf(surface, "NumberOfExtraPoints"));
+  json.EndObject();
+}
+
+void AddTopology(JsonWriter& json, vtkAnisotropicRemesher* remesher)
+{
+  json.BeginObject("topology");
+  json.Add("preserved", FactOf(remesher->GetOutput(), "TopologyPreserved"));
+  json.Add("report", remesher->GetTopologyReport());
   json.EndObject();
 }
 
@@ -104,6 +118,7 @@ std::string ReportText(const Options& options, vtkPolyData* input, vtkAnisotropi
   AddInput(json, options, input, remesher);
   AddParameters(json, options);
   AddOutput(json, remesher->GetOutput());
+  AddTopology(json, remesher);
   json.Add("iterations", remesher->GetNumberOfIterations());
   json.Add("evaluations", remesher->GetNumberOfEvaluations());
   json.Add("energy", remesher->GetEnergy());

@@ -204,6 +204,7 @@ void Remesh(Run& run)
   vtkAnisotropicRemesher* remesher = run.Remesher;
   remesher->SetNumberOfPoints(options.NumberOfPoints);
   remesher->SetPreserveFeatures(options.PreserveFeatures);
+  remesher->SetMaximumNumberOfExtraPoints(options.MaximumExtraPoints);
   remesher->SetFeatureAngle(options.FeatureAngle);
   if (!options.Labels.empty())
   {

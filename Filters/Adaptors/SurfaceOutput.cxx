@@ -66,8 +66,9 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   const auto add = [&columns](const char* name, Offset value)
   { columns.add<vtkIdTypeArray>(name, [value](Offset) { return value; }); };
   add("NumberOfFlippedTriangles", result.placement.repair.flippedTriangles);
-  add("NumberOfNonManifoldEdges", result.dual.numberOfNonManifoldEdges);
-  add("EulerCharacteristic", result.dual.eulerCharacteristic);
+  add("NumberOfNonManifoldEdges", result.topology.mesh.nonManifoldEdges);
+  add("EulerCharacteristic", result.topology.mesh.eulerCharacteristic);
+  add("TopologyPreserved", result.topology.preserved() ? 1 : 0);
   add("NumberOfExtraPoints", result.components.count() - result.wantedVertices);
   add("Seed", source.seed);
 }

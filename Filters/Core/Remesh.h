@@ -8,8 +8,8 @@
  * With features, the sites on them come first and stay (Features/), the others are drawn patch by
  * patch, and the patches' duals are sewn together along the curves (Delaunay/Collar.h).
  *
- * Where the dual is no manifold in a few places, sites are moved there; where a cell reaches a
- * feature curve, its site joins the curve; and the end is run again.
+ * Where the dual is not proven to be like the surface (Delaunay/Certificate.h), sites are moved
+ * there; where a cell reaches a feature curve, its site joins the curve; and the end is run again.
  */
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h
@@ -17,6 +17,7 @@
 #include "Delaunay/Components.h"
 #include "Delaunay/Dual.h"
 #include "Delaunay/SurfaceLocation.h"
+#include "Delaunay/TopologyResult.h"
 #include "Embedding/EmbeddedSurface.h"
 #include "Features/FeatureSites.h"
 #include "Optimization/Convergence.h"
@@ -43,6 +44,11 @@ struct RemeshOptions
   Sites initialSites;
   /** Whether to take away or add sites until the mesh has `numberOfSites` vertices. */
   bool exactNumber = false;
+  /**
+   * By how many vertices the mesh may exceed the wanted number, where its topology cannot be that
+   * of the surface otherwise.
+   */
+  Offset maximumExtraPoints = 0;
 };
 
 /** What a vertex of the mesh may do when it is placed anew. */
@@ -74,8 +80,9 @@ struct RemeshResult
   Placement placement;                    ///< of its vertices
   std::vector<Index> numbersOfNeighbors;  ///< n
   Convergence convergence;
+  TopologyResult topology;
   Index emptyCells = 0; ///< of sites that are not on features
-  Index movedSites = 0; ///< to where the dual was no manifold; `convergence` ends before that
+  Index movedSites = 0; ///< in repairs; `convergence` ends before them
   int evaluations = 0;
 
   struct Seconds

@@ -5,6 +5,8 @@
 #include "Remesh.h"
 #include "TestDuals.h"
 
+#include <set>
+
 using namespace remesh;
 
 namespace
@@ -36,7 +38,7 @@ RemeshOptions withSites(Offset count, std::uint64_t seed)
   return options;
 }
 
-/** What the optimiser alone gives has defects somewhere; what remesh() gives has none anywhere. */
+/** What the optimiser alone gives fails somewhere; what remesh() gives fails nowhere. */
 void testSpikes()
 {
   const SurfaceMesh mesh = spikySphere();
@@ -45,12 +47,14 @@ void testSpikes()
   for (std::uint64_t seed = 0; seed < 4; ++seed)
   {
     const Offset count = 800;
+    RemeshOptions options = withSites(count, seed);
+    options.exactNumber = true;
     RemeshResult result;
-    CHECK(remesh::remesh(mesh, surface, withSites(count, seed), RunControl(), result).ok());
-    CHECK_EQUAL(result.sites.count(), Index(count));
+    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK_EQUAL(result.components.count(), Index(count));
     CHECK_EQUAL(result.emptyCells, 0);
-    CHECK(result.dual.defects.empty());
-    CHECK_EQUAL(result.dual.repeated, 0);
+    CHECK(result.topology.preserved());
+    CHECK(result.dual.repeated.empty());
     CHECK_EQUAL(result.dual.eulerCharacteristic, 2);
     const test::Shape shape = test::shapeOf(result.dual.triangles);
     CHECK(shape.isManifold());
@@ -62,7 +66,7 @@ void testSpikes()
   CHECK(repaired > 0);
 }
 
-/** Sites that stay: all but as many as there are defects. */
+/** Sites are added where the certificate fails, as many go elsewhere, and all others stay. */
 void testMovesOnlyDonors()
 {
   const SurfaceMesh mesh = spikySphere();
@@ -73,20 +77,66 @@ void testMovesOnlyDonors()
     const Sites sites = test::sampled(surface, 1500, seed);
     const test::Computed result = test::computed(surface, sites);
     const test::DualOf made = test::dualOf(mesh, surface, result);
-    Sites moved = sites;
-    const Index count = moveSitesToDefects(
-      surface, result.diagram, made.components, made.dual, result.sums, moved);
-    Index changed = 0;
-    for (Index i = 0; i < sites.count(); ++i)
+    Certificate certificate;
+    CHECK(certify(surface, made.edges, result.diagram, made.components, made.dual, nullptr,
+      RunControl(), certificate)
+            .ok());
+    const VertexPlaces places{ surface, result.sites, result.diagram };
+    const Refinement refinement =
+      refineTopology(places, made.components, made.dual, certificate, false);
+    const auto count = static_cast<Index>(refinement.added.size() / 3);
+    CHECK(refinement.removed.empty());
+    CHECK_EQUAL(count > 0, !certificate.holds());
+    CHECK(count <= certificate.violations());
+    const Index kept = 700;
+    for (const Index extra : { 0, 2 })
     {
-      changed += !std::equal(sites.site(i), sites.site(i) + 3, moved.site(i));
+      Sites revised = sites;
+      const Revision revision = reviseSites(places, made.components, made.dual, certificate,
+        result.sums, refinement, made.components.count() + extra, kept, revised);
+      CHECK(revision.added >= count);
+      CHECK_EQUAL(revision.added - revision.removed, extra);
+      CHECK_EQUAL(revised.count(), sites.count() + extra);
+      std::set<std::vector<double>> before;
+      for (Index i = 0; i < sites.count(); ++i)
+      {
+        before.insert({ sites.site(i), sites.site(i) + 3 });
+      }
+      Index stayed = 0;
+      for (Index i = 0; i < revised.count() - revision.added; ++i)
+      {
+        stayed += before.count({ revised.site(i), revised.site(i) + 3 }) > 0;
+      }
+      CHECK_EQUAL(stayed, sites.count() - revision.removed);
+      // The last ones are those that were not to go.
+      CHECK(std::equal(sites.site(sites.count() - kept), sites.site(sites.count() - kept) + 3 * kept,
+        revised.site(revised.count() - revision.added - kept)));
     }
-    CHECK_EQUAL(changed, count);
-    const auto defects = static_cast<Index>(made.dual.defects.size());
-    CHECK_EQUAL(count, 100 * defects > sites.count() ? 0 : defects);
-    seen += defects > 0;
+    seen += count > 0;
   }
   CHECK(seen > 0);
+}
+
+/** Four sites are too few for a torus: as many more as it takes, as many as allowed, or none. */
+void testExtraPoints()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.4, 36, 18));
+  const EmbeddedSurface surface = inSpace(mesh);
+  RemeshOptions options = withSites(4, 1);
+  options.exactNumber = true;
+  for (const Offset most : { Offset(0), Offset(2), maximumIndex })
+  {
+    options.maximumExtraPoints = most;
+    RemeshResult result;
+    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK_EQUAL(result.wantedVertices, 4);
+    CHECK_EQUAL(result.topology.preserved(), most > 2);
+    CHECK_EQUAL(result.topology.mesh.eulerCharacteristic == 0 && result.topology.preserved(),
+      most > 2);
+    CHECK(result.components.count() <= 4 + most);
+    CHECK(most <= 2 || result.components.count() >= 7); // of each triangulation of a torus
+    CHECK(most <= 2 || result.components.count() < 80);
+  }
 }
 
 /** Without iterations the sites are the caller's, defects or not. */
@@ -122,6 +172,7 @@ int TestTopologyRepair(int, char*[])
 {
   testSpikes();
   testMovesOnlyDonors();
+  testExtraPoints();
   testNothingAsked();
   testHopeless();
   return test::result();

@@ -36,10 +36,10 @@ const std::vector<const char*> ofSurfaces = { "EmbeddingMode", "Anisotropy",
   "NumberOfUsedThreads" };
 const std::vector<const char*> ofDiagrams = { "VertexPlacement", "GenerateVoronoiCells", "GenerateEdges",
   "MaximumCellEmbeddingDimension", "Dimension", "NumberOfIterations", "NumberOfEvaluations",
-  "Energy" };
+  "Energy", "TopologyReport" };
 const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod", "Seed",
   "NumberOfLloydIterations", "NumberOfNewtonIterations", "HistoryLength", "GradientTolerance",
-  "EnergyTolerance" };
+  "EnergyTolerance", "MaximumNumberOfExtraPoints" };
 
 /** Values below and above the range become its ends; what is set twice is modified once. */
 template <class Value, class Set, class Get>
@@ -155,6 +155,9 @@ void testRemesher()
   checkPrints(filter, ofRemesher);
   CHECK_CLAMPED(filter, NumberOfPoints, vtkIdType(0), vtkIdType(VTK_ID_MAX));
   CHECK_CLAMPED(filter, SamplingMethod, 0, 1);
+  CHECK_EQUAL(filter->GetMaximumNumberOfExtraPoints(),
+    static_cast<vtkIdType>(vtkAnisotropicRemesher::ONE_PERCENT));
+  CHECK_CLAMPED(filter, MaximumNumberOfExtraPoints, vtkIdType(-2), vtkIdType(VTK_ID_MAX));
   CHECK_CLAMPED(filter, NumberOfLloydIterations, 0, 100000);
   CHECK_CLAMPED(filter, NumberOfNewtonIterations, 0, 100000);
   CHECK_CLAMPED(filter, HistoryLength, 1, 100);

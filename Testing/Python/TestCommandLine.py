@@ -169,7 +169,7 @@ class TestResults(CommandLineTest):
         with open(self.path("r.json"), encoding="utf-8") as file:
             report = json.load(file)
         self.assertLessEqual(
-            {"input", "parameters", "output", "iterations", "evaluations", "energy", "seconds",
+            {"input", "parameters", "output", "topology", "iterations", "evaluations", "energy", "seconds",
              "processor_seconds", "peak_megabytes", "threads", "backend", "warnings"},
             set(report))
         surface = sphere()
@@ -177,7 +177,9 @@ class TestResults(CommandLineTest):
             "file": name, "points": surface.GetNumberOfPoints(),
             "cells": surface.GetNumberOfCells(), "components": 1, "dropped": 0})
         self.assertEqual(report["output"], {"points": 60, "triangles": 116, "extra_points": 0})
+        self.assertEqual(report["topology"], {"preserved": 1, "report": ""})
         self.assertEqual(report["parameters"]["anisotropy"], 0.1)
+        self.assertEqual(report["parameters"]["max_extra_points"], -2)
         self.assertEqual(report["parameters"]["coordinates"],
                          [{"name": "Height", "scale": 0.5}, {"name": "Six", "scale": 2}])
         seconds = report["seconds"]

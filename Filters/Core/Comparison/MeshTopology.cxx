@@ -16,6 +16,7 @@
 #include "Mesh/Orientation.h"
 #include "Mesh/Weld.h"
 #include "Support/DisjointSets.h"
+#include "Support/Grouping.h"
 
 #include <algorithm>
 
@@ -36,24 +37,26 @@ Index cornerAt(const std::vector<Triple>& facets, Index facet, Index point)
 }
 
 /** Step 3. Corner k of facet f is 3 f + k. */
-void uniteFans(const std::vector<Triple>& facets, const EdgeTable& edges, DisjointSets& fans)
+bool uniteFans(const std::vector<Triple>& facets, const EdgeTable& edges, const RunControl& control,
+  DisjointSets& fans)
 {
-  for (std::size_t f = 0; f < facets.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
+  return forEachItem(static_cast<Offset>(facets.size()), control.silent(),
+    [&](Offset f)
     {
-      const Index edge = edges.facetEdges[f][k];
-      const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
-      if (edges.valence(edge) != 2 || around[0] != static_cast<Index>(f))
+      for (int k = 0; k < 3; ++k)
       {
-        continue;
+        const Index edge = edges.facetEdges[f][k];
+        const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+        if (edges.valence(edge) != 2 || around[0] != static_cast<Index>(f))
+        {
+          continue;
+        }
+        for (const Index point : { facets[f][k], facets[f][(k + 1) % 3] })
+        {
+          fans.unite(cornerAt(facets, around[0], point), cornerAt(facets, around[1], point));
+        }
       }
-      for (const Index point : { facets[f][k], facets[f][(k + 1) % 3] })
-      {
-        fans.unite(cornerAt(facets, around[0], point), cornerAt(facets, around[1], point));
-      }
-    }
-  }
+    });
 }
 
 /** Step 4. */
@@ -155,25 +158,41 @@ Status measureTopology(const Triangles& mesh, const RunControl& control, MeshTop
   const EdgeTable edges = buildEdgeTable(facets, control);
   const std::vector<unsigned char> repeated = findDuplicates(facets, control);
   topology.duplicatePoints = countDuplicatePoints(mesh, control);
-  if (control.cancelled())
-  {
-    return Status::cancelled();
-  }
+  topology.duplicateTriangles =
+    static_cast<Index>(std::count(repeated.begin(), repeated.end(), static_cast<unsigned char>(1)));
+  const Index triangles = topology.triangles;
+  const Status status =
+    measureConnectivity(facets, edges, static_cast<Index>(mesh.points.size()), control, topology);
+  topology.triangles = triangles;
+  return status;
+}
+
+Status measureConnectivity(const std::vector<Triple>& triangles, const EdgeTable& edges,
+  Index numberOfPoints, const RunControl& control, MeshTopology& topology)
+{
+  topology.triangles = static_cast<Index>(triangles.size());
   topology.edges = edges.numberOfEdges();
   for (Index edge = 0; edge < topology.edges; ++edge)
   {
     topology.boundaryEdges += edges.valence(edge) == 1;
     topology.nonManifoldEdges += edges.valence(edge) > 2;
   }
-  topology.duplicateTriangles =
-    static_cast<Index>(std::count(repeated.begin(), repeated.end(), static_cast<unsigned char>(1)));
-  topology.oriented = isOriented(facets, edges, control);
-  DisjointSets fans(3 * facets.size());
-  uniteFans(facets, edges, fans);
-  topology.boundaryLoops = countLoops(facets, edges, fans);
-  countPoints(facets, mesh.points.size(), fans, topology);
-  topology.eulerCharacteristic =
-    topology.points - topology.edges + static_cast<Index>(facets.size());
+  topology.oriented = isOriented(triangles, edges, control);
+  DisjointSets fans(3 * triangles.size());
+  if (!uniteFans(triangles, edges, control, fans))
+  {
+    return Status::cancelled();
+  }
+  topology.boundaryLoops = countLoops(triangles, edges, fans);
+  countPoints(triangles, static_cast<std::size_t>(numberOfPoints), fans, topology);
+  topology.eulerCharacteristic = topology.points - topology.edges + topology.triangles;
   return control.cancelled() ? Status::cancelled() : Status::success();
+}
+
+bool haveSameTopology(const MeshTopology& a, const MeshTopology& b)
+{
+  return a.nonManifoldEdges == b.nonManifoldEdges && a.nonManifoldPoints == b.nonManifoldPoints &&
+    a.boundaryLoops == b.boundaryLoops && a.components == b.components &&
+    a.eulerCharacteristic == b.eulerCharacteristic && a.oriented == b.oriented;
 }
 }

@@ -7,6 +7,7 @@
 #define remesh_MeshTopology_h
 
 #include "Comparison/TriangleTree.h"
+#include "Mesh/EdgeTable.h"
 #include "Support/Status.h"
 
 namespace remesh
@@ -38,6 +39,18 @@ struct MeshTopology
  * Cost: O(T).
  */
 Status measureTopology(const Triangles& mesh, const RunControl& control, MeshTopology& topology);
+
+/**
+ * The same of triangles that all have three different points, as far as their indices tell:
+ * nothing of duplicates and of what is degenerate.
+ *
+ * @param edges of the triangles.
+ */
+Status measureConnectivity(const std::vector<Triple>& triangles, const EdgeTable& edges,
+  Index numberOfPoints, const RunControl& control, MeshTopology& topology);
+
+/** Whether two surfaces agree in all that tells closed or bordered manifolds apart; as a whole. */
+bool haveSameTopology(const MeshTopology& a, const MeshTopology& b);
 }
 
 #endif

@@ -17,8 +17,11 @@ struct Stretch
   double end; ///< in [0, 1] along the facet's sense of rotation
 };
 
-/** The pieces along edge k of a facet, in the facet's sense of rotation. */
-void listStretches(const VertexPlaces& places, Index facet, int k, std::vector<Stretch>& stretches)
+/**
+ * The pieces along edge k of a facet, in the facet's sense of rotation; false if they do not reach
+ * from one end to the other.
+ */
+bool listStretches(const VertexPlaces& places, Index facet, int k, std::vector<Stretch>& stretches)
 {
   const Diagram& diagram = places.diagram;
   stretches.clear();
@@ -62,10 +65,15 @@ void listStretches(const VertexPlaces& places, Index facet, int k, std::vector<S
       const Offset end = followerOf(at, begin);
       stretches.push_back({ at, places.at(at, end)[(k + 1) % 3] });
       const Index next = diagram.across[end];
-      at = next < 0 ? -1 : diagram.pieceOf(facet, next);
+      if (next < 0)
+      {
+        return true;
+      }
+      at = diagram.pieceOf(facet, next);
     }
-    return;
+    return false;
   }
+  return false;
 }
 
 /** Walks along one side of one feature edge, and joins what meets there. */
@@ -92,31 +100,39 @@ public:
     const Triple& own = m_features.edges.facetEdges[facet];
     m_facet = facet;
     m_edge = static_cast<int>(std::find(own.begin(), own.end(), collar.edge) - own.begin());
-    listStretches({ m_surface, m_allSites, m_diagram }, facet, m_edge, m_stretches);
+    m_seams.isComplete &=
+      listStretches({ m_surface, m_allSites, m_diagram }, facet, m_edge, m_stretches);
     m_forward = m_mesh.facetPoints[facet][m_edge] == collar.start;
     m_sewing = m_features.cuts[collar.edge] != 0;
     this->layCollar(collar);
     std::size_t inner = 0;
     std::size_t outer = 0;
+    bool innerEnd = true; // of the edge: the cells go on around it
     while (inner < m_stretches.size())
     {
       const Index x = m_components.ofPiece[m_stretches[inner].piece];
       const Index c = m_seams.components[m_cells[outer].point];
       this->noteIntrusion(collar, inner, outer);
+      const Contact contact{ static_cast<Index>(m_stretches[inner].piece), innerEnd ? 1 : 0 };
       const bool lastInner = inner + 1 == m_stretches.size();
       const bool lastOuter = outer + 1 == m_cells.size();
       if (lastInner && lastOuter)
       {
+        this->touch(contact, x, c, true);
         break;
       }
       if (lastOuter || (!lastInner && m_stretches[inner].end <= m_cells[outer].end))
       {
-        this->join(m_components.ofPiece[m_stretches[++inner].piece], x, c);
+        const Index next = m_components.ofPiece[m_stretches[++inner].piece];
+        this->join(next, x, c);
+        innerEnd = x == c && next == c;
       }
       else
       {
         this->join(x, c, m_seams.components[m_cells[++outer].point]);
+        innerEnd = false;
       }
+      this->touch(contact, x, c, innerEnd);
     }
   }
 
@@ -154,6 +170,16 @@ private:
     if (m_sewing && a != b && b != c && c != a && a != noIndex && b != noIndex && c != noIndex)
     {
       m_seams.triangles.push_back({ a, b, c });
+    }
+  }
+
+  /** Notes a contact of piece and collar if both are of the same component. */
+  void touch(Contact contact, Index x, Index c, bool innerEnd)
+  {
+    if (m_sewing && x == c)
+    {
+      contact.innerEnds += innerEnd ? 1 : 0;
+      m_seams.contacts.push_back(contact);
     }
   }
 
@@ -278,6 +304,37 @@ std::vector<Index> componentsOfPoints(
   return result;
 }
 
+/** The collars along the cut edges, and where the border of the surface passes from one to another.
+ */
+void shapeCollars(const Features& features, const FeatureSites& sites, Seams& seams)
+{
+  seams.collars.assign(sites.points.size(), CollarShape::None);
+  for (const CollarEdge& collar : sites.collar)
+  {
+    if (!features.cuts[collar.edge])
+    {
+      continue;
+    }
+    Index owner = collar.first;
+    const auto meet = [&](CollarShape shape)
+    { seams.collars[owner] = std::max(seams.collars[owner], shape); };
+    meet(CollarShape::Disk);
+    for (const CollarEdge::Change& change : collar.changes)
+    {
+      if (change.to == owner)
+      {
+        meet(CollarShape::Ring);
+      }
+      if (features.edges.valence(collar.edge) == 1)
+      {
+        seams.borderCrossings.emplace_back(owner, change.to);
+      }
+      owner = change.to;
+      meet(CollarShape::Disk);
+    }
+  }
+}
+
 void addSegments(const Features& features, const FeatureSites& sites, Seams& seams)
 {
   for (std::size_t c = 0; c < sites.curvePoints.size(); ++c)
@@ -317,6 +374,7 @@ Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
 {
   Seams seams;
   seams.components = componentsOfPoints(diagram, components, featureSites);
+  shapeCollars(features, featureSites, seams);
   addSegments(features, featureSites, seams);
   Sewer sewer(diagram, components, mesh, surface, features, stations, featureSites, sites, seams);
   for (const CollarEdge& collar : featureSites.collar)

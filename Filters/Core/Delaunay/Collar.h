@@ -42,12 +42,32 @@ struct Intrusion
   double squared; ///< distance of the two, in R^d
 };
 
+/** The collar of a vertex: all stretches of the curves that are its own, on all sides. */
+enum class CollarShape : std::uint8_t
+{
+  None = 0, ///< no edge there is cut
+  Disk = 1,
+  Ring = 2 ///< a curve comes back to the vertex without another one between
+};
+
+/** Where a piece meets the collar of its own component, along one facet's edge. */
+struct Contact
+{
+  Index piece;
+  Index innerEnds; ///< of the two, those around which there is nothing but this component
+};
+
 struct Seams
 {
   std::vector<Index> components;        ///< of each feature point, or noIndex where it has no cell
   std::vector<FeatureSegment> segments; ///< of all curves, in their order
   std::vector<Triple> triangles;        ///< of components, oriented as their facet
   std::vector<Intrusion> intrusions;    ///< by curve, section and site; each of them once
+  std::vector<CollarShape> collars;     ///< of each feature point
+  std::vector<Contact> contacts;        ///< edge by edge
+  bool isComplete = true;               ///< each edge is covered by pieces from end to end
+  /** Feature points on both sides of each point that parts them on the surface's border. */
+  std::vector<std::pair<Index, Index>> borderCrossings;
 };
 
 /** O(pieces along the features). */

@@ -106,64 +106,8 @@ std::vector<Index> countUses(const std::vector<Triple>& triangles, Index numberO
   return uses;
 }
 
-using Edges = std::vector<std::pair<Index, Index>>; // ascending, the lower end first
-
-/** The edges on which more than two sheets of the surface meet. */
-Edges crowdedEdges(const Seams* seams)
-{
-  Edges crowded;
-  if (seams)
-  {
-    for (const FeatureSegment& segment : seams->segments)
-    {
-      if (segment.kind == FeatureKind::NonManifold)
-      {
-        crowded.push_back(std::minmax(segment.ends[0], segment.ends[1]));
-      }
-    }
-    std::sort(crowded.begin(), crowded.end());
-  }
-  return crowded;
-}
-
-/** See Dual::defects. */
-std::vector<Index> findDefects(const std::vector<Triple>& triangles,
-  const std::vector<Triple>& twins, const EdgeTable& edges, const std::vector<Index>& uses,
-  const Edges& crowded)
-{
-  const auto lessUsed = [&](Index a, Index b) { return uses[b] < uses[a] ? b : a; };
-  std::vector<Index> defects;
-  Edges hinges; // edges that a repeated triangle makes crowded
-  for (const auto& [a, b, c] : twins)
-  {
-    defects.push_back(lessUsed(lessUsed(a, b), c));
-    hinges.insert(hinges.end(), { { a, b }, { b, c }, { a, c } });
-  }
-  std::sort(hinges.begin(), hinges.end());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const std::pair<Index, Index> edge = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-      if (edges.valence(edges.facetEdges[t][k]) > 2 &&
-        !std::binary_search(hinges.begin(), hinges.end(), edge) &&
-        !std::binary_search(crowded.begin(), crowded.end(), edge))
-      {
-        defects.push_back(lessUsed(edge.first, edge.second));
-      }
-    }
-  }
-  std::sort(defects.begin(), defects.end());
-  defects.erase(std::unique(defects.begin(), defects.end()), defects.end());
-  return defects;
-}
-}
-
-namespace
-{
-/** Counts what the triangles make, and finds where that is no manifold. */
-Status examine(const std::vector<Triple>& twins, Index numberOfVertices, const Seams* seams,
-  const RunControl& control, Dual& dual)
+/** Counts what the triangles make. */
+Status examine(Index numberOfVertices, const RunControl& control, Dual& dual)
 {
   const EdgeTable edges = buildEdgeTable(dual.triangles, control);
   dual.numberOfNonManifoldEdges = countItems(edges.numberOfEdges(), control,
@@ -173,11 +117,6 @@ Status examine(const std::vector<Triple>& twins, Index numberOfVertices, const S
     return Status::cancelled();
   }
   const std::vector<Index> uses = countUses(dual.triangles, numberOfVertices);
-  dual.defects.clear();
-  if (!twins.empty() || dual.numberOfNonManifoldEdges > 0)
-  {
-    dual.defects = findDefects(dual.triangles, twins, edges, uses, crowdedEdges(seams));
-  }
   const auto used = static_cast<Offset>(uses.size()) - std::count(uses.begin(), uses.end(), 0);
   dual.eulerCharacteristic =
     used - edges.numberOfEdges() + static_cast<Offset>(dual.triangles.size());
@@ -190,7 +129,6 @@ Status buildDual(const Diagram& diagram, const Components& components, const Run
 {
   dual = Dual{};
   const RunControl silent = control.silent();
-  std::vector<Triple> twins;
   if (!collectTriangles(diagram, components, silent, dual.triangles))
   {
     return Status::cancelled();
@@ -199,23 +137,22 @@ Status buildDual(const Diagram& diagram, const Components& components, const Run
   {
     dual.triangles.insert(dual.triangles.end(), seams->triangles.begin(), seams->triangles.end());
   }
-  if (!removeRepeated(silent, dual.triangles, twins))
+  if (!removeRepeated(silent, dual.triangles, dual.repeated))
   {
     return Status::cancelled();
   }
-  dual.repeated = static_cast<Offset>(twins.size());
-  return examine(twins, components.count(), seams, silent, dual);
+  return examine(components.count(), silent, dual);
 }
 
 Status dropHangingTriangles(
   Components& components, Seams& seams, const RunControl& control, Dual& dual)
 {
   if (dual.numberOfNonManifoldEdges == 0 ||
-    removeHangingTriangles(components, dual.triangles, seams) == 0)
+    removeHangingTriangles(components, dual.triangles, dual.repeated, seams) == 0)
   {
     return Status::success();
   }
-  return examine({}, components.count(), &seams, control.silent(), dual);
+  return examine(components.count(), control.silent(), dual);
 }
 
 Status countNeighbors(const Diagram& diagram, const Components& components, Index numberOfSites,

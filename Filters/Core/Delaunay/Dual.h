@@ -12,14 +12,8 @@ namespace remesh
 struct Dual
 {
   std::vector<Triple> triangles; ///< components, oriented like the facet they come from
-  Offset repeated = 0;           ///< points of three cells whose triangle was there already
-
-  /**
-   * Components where the dual is no manifold, ascending: of each repeated triangle, and of each
-   * other edge of more than two triangles, the vertex in the fewest triangles.
-   */
-  std::vector<Index> defects;
-
+  /** Further points of three cells whose triangle was there already; sorted, and each ascending. */
+  std::vector<Triple> repeated;
   Offset numberOfNonManifoldEdges = 0; ///< edges of more than two triangles
   Offset eulerCharacteristic = 0;      ///< used vertices - edges + triangles
 };
@@ -27,8 +21,7 @@ struct Dual
 /**
  * A triangle for each point where three cells meet, by facet, each set of three components once.
  *
- * @param seams adds its triangles, and knows where edges of more than two triangles belong; or
- *        nullptr.
+ * @param seams adds its triangles; or nullptr.
  * @return Cancelled; then `dual` is of no use.
  * Cost: O(P) but for the triangles around a component, which are sorted; in parallel.
  */
@@ -36,8 +29,8 @@ Status buildDual(const Diagram& diagram, const Components& components, const Run
   Dual& dual, const Seams* seams = nullptr);
 
 /**
- * Takes away the triangles that hang on an edge (see HangingTriangles.h), and tells the rest anew;
- * repeated triangles are not counted among the defects then. O(T).
+ * Takes away the triangles that hang on an edge (see HangingTriangles.h), and tells the rest anew.
+ * O(T).
  *
  * @return Cancelled; then `dual` is of no use.
  */

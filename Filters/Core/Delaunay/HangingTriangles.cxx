@@ -8,9 +8,9 @@ namespace remesh
 {
 namespace
 {
-/** Which vertex takes over each that hangs; noIndex for all others. Marks their triangles. */
-std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const Components& components,
-  const Seams& seams, std::vector<char>& hangs)
+/** Which vertex takes over each that hangs; noIndex for all others. */
+std::vector<Index> findHeirs(
+  const std::vector<Triple>& triangles, const Components& components, const Seams& seams)
 {
   const EdgeTable edges = buildEdgeTable(triangles);
   std::vector<Index> uses(static_cast<std::size_t>(components.count()), 0);
@@ -40,7 +40,6 @@ std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const Compone
         edges.valence(own[(k + 2) % 3]) == 1 && uses[apex] == 1 && !stays[apex])
       {
         heirs[apex] = triangles[t][k]; // which has other triangles, and so does not hang itself
-        hangs[t] = 1;
       }
     }
   }
@@ -117,11 +116,12 @@ void listPieces(Components& components)
 }
 }
 
-Index removeHangingTriangles(Components& components, std::vector<Triple>& triangles, Seams& seams)
+Index removeHangingTriangles(Components& components, std::vector<Triple>& triangles,
+  std::vector<Triple>& repeated, Seams& seams)
 {
-  std::vector<char> hangs(triangles.size(), 0);
-  const std::vector<Index> heirs = findHeirs(triangles, components, seams, hangs);
-  const auto count = static_cast<Index>(std::count(hangs.begin(), hangs.end(), 1));
+  const std::vector<Index> heirs = findHeirs(triangles, components, seams);
+  const auto kept = std::count(heirs.begin(), heirs.end(), noIndex);
+  const Index count = components.count() - static_cast<Index>(kept);
   if (count == 0)
   {
     return 0;
@@ -133,16 +133,18 @@ Index removeHangingTriangles(Components& components, std::vector<Triple>& triang
     component = numbers[component];
   }
   listPieces(components);
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  for (std::vector<Triple>* list : { &triangles, &repeated })
   {
-    if (!hangs[t])
+    std::size_t stay = 0;
+    for (const auto& [a, b, c] : *list)
     {
-      const auto& [a, b, c] = triangles[t];
-      triangles[kept++] = { numbers[a], numbers[b], numbers[c] };
+      if (heirs[a] == noIndex && heirs[b] == noIndex && heirs[c] == noIndex)
+      {
+        (*list)[stay++] = { numbers[a], numbers[b], numbers[c] }; // as ascending as they were
+      }
     }
+    list->resize(stay);
   }
-  triangles.resize(kept);
   for (Index& component : seams.components)
   {
     component = component == noIndex ? noIndex : numbers[component];

@@ -18,10 +18,12 @@ namespace remesh
  * more than two triangles on the third. The pieces of that vertex go to a vertex of the third edge.
  * Vertices on features stay.
  *
+ * @param repeated triangles that are there already; those of a vertex that goes are no more.
  * @param seams brought up to date, like the others.
  * @return the number of triangles removed. O(T).
  */
-Index removeHangingTriangles(Components& components, std::vector<Triple>& triangles, Seams& seams);
+Index removeHangingTriangles(Components& components, std::vector<Triple>& triangles,
+  std::vector<Triple>& repeated, Seams& seams);
 }
 
 #endif

@@ -2,154 +2,317 @@
 
 #include "Embedding/CornerReader.h"
 #include "Embedding/Distance.h"
-#include "Voronoi/VertexPlaces.h"
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 namespace remesh
 {
 namespace
 {
-constexpr double mostDefects = 0.01; // of the number of sites
+constexpr int ringsKept = 2; // of triangles around places from which no site is taken
 
-/** The vertex of a component's pieces farthest from their sites, in R^d. */
-std::vector<double> farthestPoint(
-  const VertexPlaces& places, const Components& components, Index component)
+/** Keeps the farthest of the vertices it is shown from their sites, in R^d. */
+class FarthestVertex
 {
-  const EmbeddedSurface& surface = places.surface;
-  const Diagram& diagram = places.diagram;
-  const int d = surface.dimension;
-  std::vector<double> farthest(static_cast<std::size_t>(d));
-  std::vector<double> point(farthest.size());
-  CornerReader<Eigen::Dynamic> reader(surface);
-  double largest = -1.0;
+public:
+  explicit FarthestVertex(const VertexPlaces& places)
+    : m_places(places)
+    , m_reader(places.surface)
+    , m_point(static_cast<std::size_t>(places.surface.dimension))
+    , m_farthest(m_point.size())
+  {
+  }
+
+  void begin() { m_largest = -1.0; }
+  bool found() const { return m_largest >= 0.0; }
+  const std::vector<double>& place() const { return m_farthest; }
+  /** The piece that was shown with it, and its place there. */
+  std::pair<Offset, Offset> vertex() const { return m_vertex; }
+
+  void show(Offset piece, Offset vertex)
+  {
+    const int d = m_places.surface.dimension;
+    const auto corners = m_reader.facet(m_places.diagram.facets[piece]);
+    const std::array<double, 3> b = m_places.at(piece, vertex);
+    for (int k = 0; k < d; ++k)
+    {
+      m_point[k] = b[0] * corners[0][k] + b[1] * corners[1][k] + b[2] * corners[2][k];
+    }
+    const double* site = m_places.sites.site(m_places.diagram.sites[piece]);
+    const double squared = squaredDistance<Eigen::Dynamic>(m_point.data(), site, d);
+    if (squared > m_largest)
+    {
+      m_largest = squared;
+      m_farthest = m_point;
+      m_vertex = { piece, vertex };
+    }
+  }
+
+private:
+  const VertexPlaces& m_places;
+  CornerReader<Eigen::Dynamic> m_reader;
+  std::vector<double> m_point;
+  std::vector<double> m_farthest;
+  std::pair<Offset, Offset> m_vertex;
+  double m_largest = -1.0;
+};
+
+/** The component beyond a side of a piece, or noIndex on an edge of its facet. */
+Index componentBeyond(
+  const Diagram& diagram, const Components& components, Offset piece, Index across)
+{
+  return across < 0 ? noIndex : components.ofPiece[diagram.pieceOf(diagram.facets[piece], across)];
+}
+
+/** The vertices of a component's pieces; with a neighbour, those of the sides towards it. */
+void showVertices(const Diagram& diagram, const Components& components, Index component,
+  Index neighbor, FarthestVertex& farthest)
+{
+  const auto beyond = [&](Offset piece, Index across)
+  { return componentBeyond(diagram, components, piece, across); };
+  farthest.begin();
   for (Offset p = components.pieceBegin[component]; p < components.pieceBegin[component + 1]; ++p)
   {
     const Offset piece = components.pieces[p];
-    const double* site = places.sites.site(diagram.sites[piece]);
-    const auto corners = reader.facet(diagram.facets[piece]);
     for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
     {
-      const std::array<double, 3> b = places.at(piece, v);
-      for (int k = 0; k < d; ++k)
+      if (neighbor == noIndex || beyond(piece, diagram.across[v]) == neighbor ||
+        beyond(piece, diagram.acrossIncoming(piece, v)) == neighbor)
       {
-        point[k] = b[0] * corners[0][k] + b[1] * corners[1][k] + b[2] * corners[2][k];
-      }
-      const double squared = squaredDistance<Eigen::Dynamic>(point.data(), site, d);
-      if (squared > largest)
-      {
-        largest = squared;
-        farthest = point;
+        farthest.show(piece, v);
       }
     }
   }
-  return farthest;
 }
 
-/** Sites by increasing energy of their cells, without those within two triangles of a defect. */
-std::vector<Index> findDonors(const Components& components, const Dual& dual, const CellSums& sums,
-  Index fixed, std::size_t wanted)
+std::vector<Index> countUses(const Dual& dual, Index numberOfVertices)
 {
-  std::vector<char> near(static_cast<std::size_t>(components.count()), 0);
-  for (const Index defect : dual.defects)
+  std::vector<Index> uses(static_cast<std::size_t>(numberOfVertices), 0);
+  for (const Triple& triangle : dual.triangles)
   {
-    near[defect] = 1;
-  }
-  for (int ring = 0; ring < 2; ++ring)
-  {
-    const std::vector<char> before = near;
-    for (const Triple& triangle : dual.triangles)
+    for (const Index vertex : triangle)
     {
-      if (before[triangle[0]] || before[triangle[1]] || before[triangle[2]])
+      ++uses[vertex];
+    }
+  }
+  return uses;
+}
+}
+
+Refinement refineTopology(const VertexPlaces& places, const Components& components,
+  const Dual& dual, const Certificate& certificate, bool cutTips)
+{
+  Refinement refinement;
+  std::vector<char> taken(static_cast<std::size_t>(components.count()), 0);
+  std::set<Triple> meetings; // of components at the places so far: no two sites at one vertex
+  FarthestVertex farthest(places);
+  const auto refine = [&](Index component, Index neighbor)
+  {
+    showVertices(places.diagram, components, component, neighbor, farthest);
+    if (!farthest.found())
+    {
+      return;
+    }
+    const auto [piece, vertex] = farthest.vertex();
+    const auto beyond = [&, on = piece](Index across)
+    { return componentBeyond(places.diagram, components, on, across); };
+    Triple meeting{ component, beyond(places.diagram.across[vertex]),
+      beyond(places.diagram.acrossIncoming(piece, vertex)) };
+    std::sort(meeting.begin(), meeting.end());
+    if (meetings.insert(meeting).second)
+    {
+      refinement.added.insert(
+        refinement.added.end(), farthest.place().begin(), farthest.place().end());
+    }
+  };
+  const std::vector<Index> uses = countUses(dual, components.count());
+  const auto lessUsed = [&](Index a, Index b) { return uses[b] < uses[a] ? b : a; };
+  // A cell of a repeated triangle and no other has two neighbours, one of none has one.
+  const auto isTip = [&](Index component, Index mostUses)
+  {
+    return cutTips && uses[component] <= mostUses &&
+      components.sites[component] >= places.sites.fixed;
+  };
+  for (const auto& [a, b, c] : certificate.vertices)
+  {
+    if (!taken[a] && !taken[b] && !taken[c])
+    {
+      taken[a] = taken[b] = taken[c] = 1;
+      const Index least = lessUsed(lessUsed(a, b), c);
+      if (isTip(least, 1))
       {
-        near[triangle[0]] = near[triangle[1]] = near[triangle[2]] = 1;
+        refinement.removed.push_back(components.sites[least]);
+      }
+      else
+      {
+        refine(least, noIndex);
       }
     }
   }
-  std::vector<char> keep(sums.energy.size(), 0);
+  for (const Index cell : certificate.cells)
+  {
+    if (!taken[cell])
+    {
+      taken[cell] = 1;
+      if (isTip(cell, 0))
+      {
+        refinement.removed.push_back(components.sites[cell]);
+      }
+      else
+      {
+        refine(cell, noIndex);
+      }
+    }
+  }
+  for (const auto& [a, b] : certificate.edges)
+  {
+    if (!taken[a] && !taken[b])
+    {
+      taken[a] = taken[b] = 1;
+      refine(a, b);
+    }
+  }
+  std::sort(refinement.removed.begin(), refinement.removed.end());
+  refinement.removed.erase(
+    std::unique(refinement.removed.begin(), refinement.removed.end()), refinement.removed.end());
+  return refinement;
+}
+
+namespace
+{
+/**
+ * For each component, how many triangles it is away from a failure or a site from `firstKept` on;
+ * `ringsKept` + 1 for all that are farther.
+ */
+std::vector<char> distancesToFailures(
+  const Components& components, const Dual& dual, const Certificate& certificate, Index firstKept)
+{
+  const char far = ringsKept + 1;
+  std::vector<char> distances(static_cast<std::size_t>(components.count()), far);
   for (Index k = 0; k < components.count(); ++k)
   {
-    keep[components.sites[k]] |= near[k];
+    distances[k] = components.sites[k] >= firstKept ? 0 : far;
+  }
+  for (const Index cell : certificate.cells)
+  {
+    distances[cell] = 0;
+  }
+  for (const auto& [a, b] : certificate.edges)
+  {
+    distances[a] = distances[b] = 0;
+  }
+  for (const auto& [a, b, c] : certificate.vertices)
+  {
+    distances[a] = distances[b] = distances[c] = 0;
+  }
+  for (char ring = 1; ring <= ringsKept; ++ring)
+  {
+    for (const Triple& triangle : dual.triangles)
+    {
+      const auto isNearer = [&](Index k) { return distances[k] < ring; };
+      if (std::any_of(triangle.begin(), triangle.end(), isNearer))
+      {
+        for (const Index k : triangle)
+        {
+          distances[k] = std::min(distances[k], ring);
+        }
+      }
+    }
+  }
+  return distances;
+}
+
+/** Free sites away from failures, the farther first, then by increasing energy of their cells. */
+std::vector<Index> findDonors(const Components& components, const std::vector<char>& distances,
+  const CellSums& sums, Index fixed, std::size_t wanted)
+{
+  std::vector<char> nearest(sums.energy.size(), ringsKept + 1);
+  for (Index k = 0; k < components.count(); ++k)
+  {
+    nearest[components.sites[k]] = std::min(nearest[components.sites[k]], distances[k]);
   }
   std::vector<Index> donors;
-  for (auto i = static_cast<std::size_t>(fixed); i < keep.size(); ++i)
+  for (auto i = static_cast<std::size_t>(fixed); i < nearest.size(); ++i)
   {
-    if (!keep[i])
+    if (nearest[i] > 0)
     {
       donors.push_back(static_cast<Index>(i));
     }
   }
   const std::size_t count = std::min(wanted, donors.size());
+  const auto key = [&](Index i) { return std::make_tuple(-nearest[i], sums.energy[i], i); };
   std::partial_sort(donors.begin(), donors.begin() + static_cast<std::ptrdiff_t>(count),
-    donors.end(),
-    [&](Index a, Index b)
-    { return sums.energy[a] != sums.energy[b] ? sums.energy[a] < sums.energy[b] : a < b; });
+    donors.end(), [&](Index a, Index b) { return key(a) < key(b); });
   donors.resize(count);
   return donors;
 }
-}
 
-Index moveSitesToDefects(const EmbeddedSurface& surface, const Diagram& diagram,
-  const Components& components, const Dual& dual, const CellSums& sums, Sites& sites)
+/** Takes sites away; the others keep their order. */
+void removeSites(const std::vector<Index>& removed, Sites& sites)
 {
-  if (dual.defects.empty() ||
-    static_cast<double>(dual.defects.size()) > mostDefects * sites.count())
+  std::vector<char> goes(static_cast<std::size_t>(sites.count()), 0);
+  for (const Index site : removed)
   {
-    return 0;
+    goes[site] = 1;
   }
-  const std::vector<Index> donors =
-    findDonors(components, dual, sums, sites.fixed, dual.defects.size());
-  const Sites cutSites = sites; // those of the diagram, while others move
-  const VertexPlaces places{ surface, cutSites, diagram };
-  for (std::size_t k = 0; k < donors.size(); ++k)
-  {
-    const Index component = dual.defects[k];
-    const std::vector<double> place = farthestPoint(places, components, component);
-    std::copy(place.begin(), place.end(), sites.site(donors[k]));
-  }
-  return static_cast<Index>(donors.size());
-}
-
-Index adjustNumber(const EmbeddedSurface& surface, const Diagram& diagram,
-  const Components& components, const Dual& dual, const CellSums& sums, Offset wanted, Sites& sites)
-{
-  const Offset surplus = components.count() - wanted;
   const auto d = static_cast<std::size_t>(sites.dimension);
-  if (surplus <= 0)
-  {
-    std::vector<Index> byEnergy(static_cast<std::size_t>(components.count()));
-    std::iota(byEnergy.begin(), byEnergy.end(), Index(0));
-    std::stable_sort(byEnergy.begin(), byEnergy.end(),
-      [&](Index a, Index b) { return components.energy[a] > components.energy[b]; });
-    byEnergy.resize(std::min(byEnergy.size(), static_cast<std::size_t>(-surplus)));
-    std::vector<double> added;
-    for (const Index component : byEnergy)
-    {
-      const std::vector<double> place =
-        farthestPoint({ surface, sites, diagram }, components, component);
-      added.insert(added.end(), place.begin(), place.end());
-    }
-    sites.coordinates.insert(sites.coordinates.end(), added.begin(), added.end());
-    return static_cast<Index>(byEnergy.size());
-  }
-  const std::vector<Index> donors =
-    findDonors(components, dual, sums, sites.fixed, static_cast<std::size_t>(surplus));
-  std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
-  for (const Index donor : donors)
-  {
-    removed[donor] = 1;
-  }
   std::size_t kept = 0;
   for (Index i = 0; i < sites.count(); ++i)
   {
-    if (!removed[i])
+    if (!goes[i])
     {
       std::copy_n(sites.site(i), d, sites.coordinates.data() + kept * d);
       ++kept;
     }
   }
   sites.coordinates.resize(kept * d);
-  return static_cast<Index>(donors.size());
+}
+
+/** The farthest vertices of the components with the most energy, `count` of them at most. */
+void addWhereEnergyIs(const VertexPlaces& places, const Components& components, Offset count,
+  std::vector<double>& added)
+{
+  std::vector<Index> byEnergy(static_cast<std::size_t>(components.count()));
+  std::iota(byEnergy.begin(), byEnergy.end(), Index(0));
+  std::stable_sort(byEnergy.begin(), byEnergy.end(),
+    [&](Index a, Index b) { return components.energy[a] > components.energy[b]; });
+  byEnergy.resize(std::min(byEnergy.size(), static_cast<std::size_t>(count)));
+  FarthestVertex farthest(places);
+  for (const Index component : byEnergy)
+  {
+    showVertices(places.diagram, components, component, noIndex, farthest);
+    added.insert(added.end(), farthest.place().begin(), farthest.place().end());
+  }
+}
+}
+
+Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
+  const Certificate& certificate, const CellSums& sums, Refinement refinement, Offset wanted,
+  Index addedBefore, Sites& sites)
+{
+  auto& [added, removed] = refinement;
+  const auto d = static_cast<std::size_t>(sites.dimension);
+  const Offset surplus = components.count() + static_cast<Offset>(added.size() / d) -
+    static_cast<Offset>(removed.size()) - wanted;
+  if (surplus < 0)
+  {
+    addWhereEnergyIs(places, components, -surplus, added);
+  }
+  else if (surplus > 0)
+  {
+    const std::vector<char> distances =
+      distancesToFailures(components, dual, certificate, sites.count() - addedBefore);
+    const std::vector<Index> donors =
+      findDonors(components, distances, sums, sites.fixed, static_cast<std::size_t>(surplus));
+    const std::size_t missing = static_cast<std::size_t>(surplus) - donors.size();
+    added.resize(added.size() - std::min(added.size(), missing * d));
+    removed.insert(removed.end(), donors.begin(), donors.end());
+  }
+  removeSites(removed, sites);
+  sites.coordinates.insert(sites.coordinates.end(), added.begin(), added.end());
+  return { static_cast<Index>(added.size() / d), static_cast<Index>(removed.size()) };
 }
 }

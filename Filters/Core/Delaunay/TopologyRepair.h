@@ -1,40 +1,60 @@
 /**
  * @file TopologyRepair.h
- * @brief Sites for the few places where the dual is no manifold.
+ * @brief Delaunay refinement in R^d where the dual is not proven to be like the surface, within the
+ * number of points asked for.
  *
- * Where a thin part of the surface has too few cells around it (a cell with two neighbours only at
- * the tip of a spike, two cells that meet along two segments), the dual has hanging triangles and
- * non-manifold edges. One more site in such a cell mends it; so that the number of sites stays as
- * it was asked for, it is taken from where it matters least.
+ * Where a thin part of the surface has too few cells around it (a cell around a limb, two cells
+ * that meet along two segments, a cell with two neighbours only at the tip of a spike), one more
+ * site mends it. So that the mesh has the number of vertices asked for, sites are taken away
+ * where they matter least, away from such places.
  */
 #ifndef remesh_TopologyRepair_h
 #define remesh_TopologyRepair_h
 
-#include "Delaunay/Dual.h"
+#include "Delaunay/Certificate.h"
 #include "Voronoi/CellSums.h"
+#include "Voronoi/VertexPlaces.h"
 
 namespace remesh
 {
-/**
- * For each defect of the dual, moves the site with the least energy, away from all defects, to the
- * point of the defect's cell that is farthest from its site.
- *
- * @return the number of sites moved; 0 where there are no defects, or so many (more than 1 % of the
- *         sites) that the points are too few for the shape.
- */
-Index moveSitesToDefects(const EmbeddedSurface& surface, const Diagram& diagram,
-  const Components& components, const Dual& dual, const CellSums& sums, Sites& sites);
+/** What may mend a few of the failures. */
+struct Refinement
+{
+  std::vector<double> added;  ///< m x d, places of new sites in scaled units
+  std::vector<Index> removed; ///< free sites
+};
 
 /**
- * Brings the number of the mesh's vertices to what was asked for: takes away the free sites with
- * the least energy, away from defects, or adds sites where cells have the most.
+ * A new site for each cell, or segments between two, where the certificate fails: at the vertex of
+ * the diagram that is farthest from the site. What would be next to another one's cells is left for
+ * later.
  *
- * @param wanted vertices, sites on features (counted once) included.
- * @return the number of sites taken away or added; 0 where there is none to take.
+ * @param cutTips whether cells with fewer than three neighbours, as at the tip of a spike, are left
+ *        to these instead: the spike ends in one of them then.
+ * Cost: O(P).
  */
-Index adjustNumber(const EmbeddedSurface& surface, const Diagram& diagram,
-  const Components& components, const Dual& dual, const CellSums& sums, Offset wanted,
-  Sites& sites);
+Refinement refineTopology(const VertexPlaces& places, const Components& components,
+  const Dual& dual, const Certificate& certificate, bool cutTips);
+
+struct Revision
+{
+  Index added = 0; ///< the last sites there are
+  Index removed = 0;
+};
+
+/**
+ * Adds and takes away these sites, and brings the number of the mesh's vertices to what is wanted:
+ * takes away the free sites with the least energy, as far as can be from where the certificate
+ * fails and where sites were added before, or adds sites where cells have the most.
+ *
+ * @param places of the diagram, whose sites these are still.
+ * @param refinement the last places are left out where there are not enough sites to take away.
+ * @param wanted vertices, sites on features (counted once) included.
+ * @param addedBefore the last so many sites stay, and those around them.
+ */
+Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
+  const Certificate& certificate, const CellSums& sums, Refinement refinement, Offset wanted,
+  Index addedBefore, Sites& sites);
 }
 
 #endif

@@ -1,0 +1,27 @@
+/**
+ * @file CellDisks.h
+ * @brief Which components of the restricted cells are disks.
+ */
+#ifndef remesh_CellDisks_h
+#define remesh_CellDisks_h
+
+#include "Delaunay/Collar.h"
+#include "Mesh/EdgeTable.h"
+
+namespace remesh
+{
+/**
+ * For each component, whether it is connected and has Euler characteristic 1, its stretches of the
+ * collar included (see Certificate.h). That it borders on another one is left to the caller.
+ *
+ * @param edges of the surface as it is embedded (cut open along features), of two facets at most,
+ *        and no point of it in two fans of facets.
+ * @return Cancelled; then `isDisk` is of no use.
+ * Cost: O(P) but for the look-up of pieces in their facets; in parallel.
+ */
+Status findDisks(const EmbeddedSurface& surface, const EdgeTable& edges, const Diagram& diagram,
+  const Components& components, const Seams* seams, const RunControl& control,
+  std::vector<char>& isDisk);
+}
+
+#endif

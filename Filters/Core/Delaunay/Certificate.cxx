@@ -1,0 +1,182 @@
+#include "Delaunay/Certificate.h"
+
+#include "Delaunay/CellDisks.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+using Pair = std::pair<Index, Index>;
+
+/** The two components beside each point where the border of the surface passes between cells. */
+std::vector<Pair> findCrossings(
+  const EdgeTable& edges, const Diagram& diagram, const Components& components, const Seams* seams)
+{
+  std::vector<Pair> crossings;
+  const auto add = [&](Index a, Index b)
+  {
+    if (a != b && a != noIndex && b != noIndex)
+    {
+      crossings.push_back(std::minmax(a, b));
+    }
+  };
+  if (seams)
+  {
+    for (const auto& [a, b] : seams->borderCrossings)
+    {
+      add(seams->components[a], seams->components[b]);
+    }
+  }
+  else
+  {
+    for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+    {
+      if (edges.valence(edge) != 1)
+      {
+        continue;
+      }
+      const Index facet = edges.edgeFacets[edges.edgeFacetsBegin[edge]];
+      for (Offset p = diagram.facetBegin[facet]; p < diagram.facetBegin[facet + 1]; ++p)
+      {
+        for (Offset v = diagram.vertexBegin[p]; v < diagram.vertexBegin[p + 1]; ++v)
+        {
+          const Index incoming = diagram.acrossIncoming(p, v);
+          if (const Index side = diagram.across[v];
+              incoming >= 0 && side < 0 && edges.facetEdges[facet][-1 - side] == edge)
+          {
+            add(components.ofPiece[p], components.ofPiece[diagram.pieceOf(facet, incoming)]);
+          }
+        }
+      }
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+/** The edges on which more than two sheets of the surface meet, ascending. */
+std::vector<Pair> findCrowded(const Seams* seams)
+{
+  std::vector<Pair> crowded;
+  if (seams)
+  {
+    for (const FeatureSegment& segment : seams->segments)
+    {
+      if (segment.kind == FeatureKind::NonManifold)
+      {
+        crowded.push_back(std::minmax(segment.ends[0], segment.ends[1]));
+      }
+    }
+    std::sort(crowded.begin(), crowded.end());
+  }
+  return crowded;
+}
+
+/** Edges of the dual that have not just two triangles, each with their number, ascending. */
+std::vector<std::pair<Pair, Index>> findOddEdges(
+  const std::vector<Triple>& triangles, const RunControl& control)
+{
+  const EdgeTable edges = buildEdgeTable(triangles, control);
+  std::vector<std::pair<Pair, Index>> odd;
+  for (std::size_t t = 0; t < triangles.size() && !control.cancelled(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index edge = edges.facetEdges[t][k];
+      const bool first = edges.edgeFacets[edges.edgeFacetsBegin[edge]] == static_cast<Index>(t);
+      if (first && edges.valence(edge) != 2)
+      {
+        odd.emplace_back(
+          std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]), edges.valence(edge));
+      }
+    }
+  }
+  std::sort(odd.begin(), odd.end());
+  return odd;
+}
+
+/** Step 3: each edge has two ends, at most one of them on the border. */
+void checkEdges(const std::vector<std::pair<Pair, Index>>& odd, const std::vector<Pair>& crossings,
+  const std::vector<Pair>& crowded, Certificate& certificate)
+{
+  const auto isBorder = [&](const Pair& edge)
+  {
+    const auto [begin, end] = std::equal_range(crossings.begin(), crossings.end(), edge);
+    return end - begin == 1;
+  };
+  const auto isOpen = [&](const Pair& edge)
+  { return std::binary_search(odd.begin(), odd.end(), std::make_pair(edge, Index(1))); };
+  for (const auto& [edge, valence] : odd)
+  {
+    if (!(valence == 1 && isBorder(edge)) &&
+      !std::binary_search(crowded.begin(), crowded.end(), edge))
+    {
+      certificate.edges.push_back(edge);
+    }
+  }
+  for (const Pair& edge : crossings)
+  {
+    if (!isOpen(edge))
+    {
+      certificate.edges.push_back(edge);
+    }
+  }
+  std::sort(certificate.edges.begin(), certificate.edges.end());
+  certificate.edges.erase(
+    std::unique(certificate.edges.begin(), certificate.edges.end()), certificate.edges.end());
+}
+
+/** Step 2, and what was found of step 1. */
+void checkCells(const std::vector<char>& isDisk, const std::vector<Triple>& triangles,
+  const std::vector<Pair>& crossings, Certificate& certificate)
+{
+  std::vector<char> used(isDisk.size(), 0);
+  for (const Triple& triangle : triangles)
+  {
+    used[triangle[0]] = used[triangle[1]] = used[triangle[2]] = 1;
+  }
+  std::vector<Index> ends(isDisk.size(), 0);
+  for (const auto& [a, b] : crossings)
+  {
+    ++ends[a];
+    ++ends[b];
+  }
+  for (std::size_t k = 0; k < isDisk.size(); ++k)
+  {
+    if (!isDisk[k] || !used[k] || ends[k] > 2)
+    {
+      certificate.cells.push_back(static_cast<Index>(k));
+    }
+  }
+}
+}
+
+Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Diagram& diagram,
+  const Components& components, const Dual& dual, const Seams* seams, const RunControl& control,
+  Certificate& certificate)
+{
+  certificate = Certificate{};
+  const RunControl silent = control.silent();
+  std::vector<char> isDisk;
+  if (Status status = findDisks(surface, edges, diagram, components, seams, silent, isDisk);
+      !status.ok())
+  {
+    return status;
+  }
+  if (seams)
+  {
+    certificate.lostPoints = static_cast<Index>(
+      std::count(seams->components.begin(), seams->components.end(), noIndex));
+    certificate.lostPoints += seams->isComplete ? 0 : 1;
+  }
+  std::vector<Triple> meetings = dual.triangles;
+  meetings.insert(meetings.end(), dual.repeated.begin(), dual.repeated.end());
+  const std::vector<Pair> crossings = findCrossings(edges, diagram, components, seams);
+  checkCells(isDisk, meetings, crossings, certificate);
+  checkEdges(findOddEdges(meetings, silent), crossings, findCrowded(seams), certificate);
+  certificate.vertices = dual.repeated;
+  return control.cancelled() ? Status::cancelled() : Status::success();
+}
+}
