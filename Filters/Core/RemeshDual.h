@@ -1,0 +1,29 @@
+/**
+ * @file RemeshDual.h
+ * @brief From optimised sites to a dual that is like the surface.
+ */
+#ifndef remesh_RemeshDual_h
+#define remesh_RemeshDual_h
+
+#include "RemeshTask.h"
+
+namespace remesh
+{
+/**
+ * Diagram, components, dual and certificate of the sites, and what the outputs tell of the cells;
+ * again and again while there is something to mend:
+ *
+ * 1. where cells reach a feature curve, their sites join the curve;
+ * 2. where the certificate fails, sites are added, and others taken away (RepairStage);
+ * 3. where the number of vertices is not what was asked for, sites are added or taken away.
+ *
+ * The first changes are followed by a few steps of Lloyd's; later ones change nothing but what they
+ * must. If the certificate fails to the end, the state where it fails at fewest places counts.
+ *
+ * @param result its sites are given, and change.
+ * Cost: of each round about that of three steps of Lloyd's, less where these are left out.
+ */
+Status findDual(const Task& task, const RunControl& control, RemeshResult& result);
+}
+
+#endif
