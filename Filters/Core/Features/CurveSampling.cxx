@@ -12,11 +12,12 @@ namespace remesh
 {
 namespace
 {
-constexpr double finestError = 1e-6;   // of the diagonal: single precision
-constexpr double coarsestError = 0.05; // of the spacing
-constexpr double fineError = 2e-5;     // of the diagonal
-constexpr double fineShare = 0.4;      // of the points, for the sake of the curves' bends
-constexpr double largestShare = 0.6;   // for the fine error; before it grows, and the spacing
+constexpr double finestError = 1e-6;     // of the diagonal: single precision
+constexpr double coarsestError = 0.05;   // of the spacing
+constexpr double fineError = 2e-5;       // of the diagonal
+constexpr double fineShare = 0.4;        // of the points, for the sake of the curves' bends
+constexpr double largestBendShare = 0.5; // for the fine error; before it grows to the fine share
+constexpr double largestShare = 0.6;     // of all on curves; before it grows, and the spacing
 constexpr double growth = 1.25;
 constexpr int mostGrowths = 20;
 constexpr int balancingSteps = 10;
@@ -291,9 +292,20 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   double count = countWith(stations);
   const double fine = fineError * boundingBoxDiagonal(mesh);
   coarsest = std::max(fine, coarsest);
-  while ((count > fineShare * n && error < fine) || (count > largestShare * n && error < coarsest))
+  const auto countBends = [&]()
   {
-    error = std::min(2.0 * error, error < fine ? fine : coarsest);
+    return static_cast<double>(countFeaturePoints(
+      features, sampleWith(courses, least, error, std::numeric_limits<double>::infinity())));
+  };
+  while (count > fineShare * n && error < fine)
+  {
+    error = std::min(2.0 * error, fine);
+    count = countWith(stations);
+  }
+  const bool bendy = error == fine && countBends() > largestBendShare * n;
+  while (error < coarsest && (count > largestShare * n || (bendy && countBends() > fineShare * n)))
+  {
+    error = std::min(2.0 * error, coarsest);
     count = countWith(stations);
   }
   needed = countFeaturePoints(

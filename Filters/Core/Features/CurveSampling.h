@@ -47,8 +47,10 @@ Station stationAtRadius(
  *
  * 1. Breaks at points of the curve, as few as keep the chords within a distance of it, and so that
  *    the chords' errors are balanced. The distance is the finest for which the curves take no more
- *    than two fifths of the points, from 1e-6 of the diagonal; or, where that is not to be had, the
- *    finest for three fifths of them, from 2e-5 to a twentieth of the points' spacing.
+ *    than two fifths of the points, from 1e-6 to 2e-5 of the diagonal. Where even that takes more
+ *    than half of them for the bends alone, or three fifths in all, it grows on, up to a twentieth
+ *    of the points' spacing, until two fifths do for the bends: the rest of the surface needs its
+ *    points, too.
  * 2. Chords longer than the spacing that `numberOfPoints` give are divided evenly. Where the curves
  *    would take more than three fifths of the points, distance and spacing grow along them.
  * 3. A closed curve has three places at least; no two curves share both ends without a place

@@ -7,14 +7,13 @@
  */
 #include "Placement/FitSystem.h"
 
-#include "Mesh/ClosestPoint.h"
+#include "Mesh/FacetGeometry.h"
+#include "Placement/StarFeet.h"
 #include "Placement/SurfaceSamples.h"
 #include "Support/Grouping.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-
-#include <limits>
 
 namespace remesh
 {
@@ -26,7 +25,7 @@ constexpr Offset blocksPerGroup = 64;
  * The springs' stiffness, as shares of a vertex's own weight: in proportion to what the surface
  * says about moves along it, which on smooth surfaces is little, and on scans much noise.
  */
-constexpr double stiffnessPerVariation = 0.025;
+constexpr double stiffnessPerVariation = 0.018;
 constexpr double leastStiffness = 3e-6;
 constexpr double mostStiffness = 1e-3;
 constexpr double dampingShare = 0.3; // of the stiffness
@@ -59,44 +58,17 @@ Symmetric3 outerProduct(const Point3& n)
   return product;
 }
 
+Eigen::Matrix3d matrixOf(const Symmetric3& a)
+{
+  Eigen::Matrix3d matrix;
+  matrix << a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5];
+  return matrix;
+}
+
 Point3 multiply(const Symmetric3& a, const Point3& x)
 {
   return { a[0] * x[0] + a[1] * x[1] + a[2] * x[2], a[1] * x[0] + a[3] * x[1] + a[4] * x[2],
     a[2] * x[0] + a[4] * x[1] + a[5] * x[2] };
-}
-
-/** A foot of a sample on the mesh. */
-struct Foot
-{
-  Index triangle = noIndex;
-  double b[3] = { 0.0, 0.0, 0.0 };
-};
-
-/** The closest point on the star of `vertex`, of triangles that face as the sample does. */
-Foot findFoot(const PlacementProblem& problem, const VertexStars& stars,
-  const std::vector<Point3>& positions, const std::vector<Point3>& normals, Index vertex,
-  const SurfaceSample& sample)
-{
-  Foot foot;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (Offset k = stars.begin(vertex); k < stars.end(vertex); ++k)
-  {
-    const Index t = stars.triangles[k];
-    if (!(normals[t].dot(sample.normal) > 0.0))
-    {
-      continue;
-    }
-    const auto& [i, j, l] = problem.triangles[t];
-    const ClosestPoint closest =
-      closestOnTriangle(sample.point, positions[i], positions[j], positions[l]);
-    if (closest.squared < nearest)
-    {
-      nearest = closest.squared;
-      foot.triangle = t;
-      std::copy_n(closest.b, 3, foot.b);
-    }
-  }
-  return foot;
 }
 
 void addSample(
@@ -115,15 +87,17 @@ void addSample(
 }
 
 void sumBlock(const PlacementProblem& problem, const VertexStars& stars,
-  const std::vector<Point3>& positions, const std::vector<Point3>& normals, Offset begin,
-  Offset end, SlotScratch& scratch, BlockTriangles& block)
+  const std::vector<Point3>& positions, const std::vector<Point3>& normals, int samples,
+  Offset begin, Offset end, SlotScratch& scratch, BlockTriangles& block)
 {
+  StarFeet feet(problem, stars, positions, normals);
   for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex)
   {
-    forEachSample(problem, vertex,
+    feet.enter(vertex);
+    forEachSample(problem, vertex, samples,
       [&](const SurfaceSample& sample)
       {
-        const Foot foot = findFoot(problem, stars, positions, normals, vertex, sample);
+        const Foot foot = feet.find(sample.point, sample.normal);
         if (foot.triangle == noIndex)
         {
           return;
@@ -181,10 +155,8 @@ void addToDiagonal(double value, Symmetric3& block)
 double variation(const Symmetric3& a)
 {
   const double trace = a[0] + a[3] + a[5];
-  Eigen::Matrix3d block;
-  block << a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5];
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(block / trace, Eigen::EigenvaluesOnly);
+  solver.computeDirect(matrixOf(a) / trace, Eigen::EigenvaluesOnly);
   return std::max(0.0, 1.0 - solver.eigenvalues()[2]);
 }
 
@@ -234,6 +206,22 @@ bool addStiffness(const std::vector<Point3>& positions, const std::vector<Point3
     });
 }
 
+/** The inverses of the blocks on the diagonal, zero at vertices that must not move. */
+bool invertBlocks(const RunControl& control, FitSystem& system)
+{
+  system.inverses.assign(system.vertexBlocks.size(), Symmetric3::Zero());
+  return forEachItem(static_cast<Offset>(system.inverses.size()), control.silent(),
+    [&](Offset v)
+    {
+      if (!system.frozen[v])
+      {
+        const Eigen::Matrix3d inverse = matrixOf(system.vertexBlocks[v]).inverse();
+        system.inverses[v] << inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1),
+          inverse(1, 2), inverse(2, 2);
+      }
+    });
+}
+
 std::vector<Point3> normalsOf(const PlacementProblem& problem, const std::vector<Point3>& positions)
 {
   std::vector<Point3> normals(problem.triangles.size());
@@ -262,14 +250,7 @@ Point3 FitSystem::row(const VectorField& x, std::size_t i) const
 
 Point3 FitSystem::precondition(const Point3& r, std::size_t i) const
 {
-  if (this->frozen[i])
-  {
-    return Point3::Zero();
-  }
-  const Symmetric3& a = this->vertexBlocks[i];
-  Eigen::Matrix3d block;
-  block << a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5];
-  return block.inverse() * r;
+  return multiply(this->inverses[i], r);
 }
 
 FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
@@ -313,7 +294,7 @@ FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
 }
 
 bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, const EdgeTable& edges,
-  const std::vector<Point3>& positions, const std::vector<Point3>& shapes,
+  const std::vector<Point3>& positions, const std::vector<Point3>& shapes, int samples,
   const RunControl& control, FitSystem& system)
 {
   const auto count = static_cast<std::size_t>(problem.numberOfVertices());
@@ -338,7 +319,7 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
           [&](Offset block)
           {
             const auto scratch = pool.borrow();
-            sumBlock(problem, stars, positions, normals, blocks.begin(first + block),
+            sumBlock(problem, stars, positions, normals, samples, blocks.begin(first + block),
               blocks.end(first + block), *scratch, sums[block]);
           }))
     {
@@ -354,6 +335,7 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
   {
     system.frozen[v] = problem.isFixed(v) || !(system.weights[v] > 0.0);
   }
-  return findStiffness(control, system) && addStiffness(positions, shapes, control, system);
+  return findStiffness(control, system) && addStiffness(positions, shapes, control, system) &&
+    invertBlocks(control, system);
 }
 }

@@ -25,6 +25,7 @@ struct FitSystem
 {
   std::vector<Symmetric3> vertexBlocks; ///< K
   std::vector<Symmetric3> edgeBlocks;   ///< E
+  std::vector<Symmetric3> inverses;     ///< K, of the vertices' blocks; zero at frozen ones
   std::vector<Point3> slopes;           ///< K, the right-hand side; 0 at fixed vertices
   std::vector<double> weights;          ///< K, sum of W_p w_pv^2
   std::vector<double> stiffness;        ///< K, of the springs
@@ -54,13 +55,14 @@ FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
  * face the same way (so never to another sheet), and sums up the system.
  *
  * @param shapes K, the positions whose shapes the springs keep.
+ * @param samples of each vertex (SurfaceSamples.h).
  * Cost: O(samples). Parallel over blocks of vertices, whose sums are added in a fixed order.
  *
  * @return false when cancelled.
  */
 [[nodiscard]] bool assembleFit(const PlacementProblem& problem, const VertexStars& stars,
   const EdgeTable& edges, const std::vector<Point3>& positions, const std::vector<Point3>& shapes,
-  const RunControl& control, FitSystem& system);
+  int samples, const RunControl& control, FitSystem& system);
 }
 
 #endif

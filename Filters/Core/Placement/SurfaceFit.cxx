@@ -7,6 +7,8 @@ namespace remesh
 {
 namespace
 {
+// With fewer, the triangles come closer to the samples than to what is between.
+constexpr int samplesPerVertex = 36;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
 }
 
@@ -18,7 +20,7 @@ Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, i
   FitSystem system = makeFitSystem(problem, edges);
   for (int round = 0; round < rounds; ++round)
   {
-    if (!assembleFit(problem, stars, edges, positions, shapes, control, system))
+    if (!assembleFit(problem, stars, edges, positions, shapes, samplesPerVertex, control, system))
     {
       return Status::cancelled();
     }

@@ -26,9 +26,6 @@ struct SurfaceSample
   Index facet;
 };
 
-/** Samples of a component that is cut fine enough; others have about as many as pieces. */
-constexpr int samplesPerVertex = 24;
-
 /** Visits the equal parts (k^2 triangles) of a triangle: their centroids, each of `area / k^2`. */
 template <class Visit>
 void visitParts(
@@ -50,15 +47,19 @@ void visitParts(
   }
 }
 
-/** Calls `visit(const SurfaceSample&)` for each sample of a component, in a fixed order. O(pieces).
+/**
+ * Calls `visit(const SurfaceSample&)` for each sample of a component, in a fixed order. O(pieces).
+ *
+ * @param samples of a component that is cut fine enough; others have about as many as pieces.
  */
 template <class Visit>
-void forEachSample(const PlacementProblem& problem, Index component, const Visit& visit)
+void forEachSample(
+  const PlacementProblem& problem, Index component, int samples, const Visit& visit)
 {
   const Diagram& diagram = problem.diagram;
   const VertexPlaces places{ problem.surface, problem.sites, diagram };
   const Components& components = problem.components;
-  const double measure = components.area[component] / samplesPerVertex;
+  const double measure = components.area[component] / samples;
   double carried = 0.0;
   SurfaceSample sample;
   sample.normal = Point3::Zero();
@@ -110,7 +111,7 @@ void forEachSample(const PlacementProblem& problem, Index component, const Visit
       const Point3 third = place(v + 1);
       const double share = facetArea(first, second, third);
       const int parts =
-        std::clamp(static_cast<int>(std::ceil(std::sqrt(share / measure))), 1, samplesPerVertex);
+        std::clamp(static_cast<int>(std::ceil(std::sqrt(share / measure))), 1, samples);
       visitParts(first, second, third, share, parts,
         [&](const Point3& point, double weight)
         {

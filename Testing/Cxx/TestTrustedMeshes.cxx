@@ -1,0 +1,290 @@
+// Meshes of surfaces with creases, borders and junctions: topology kept, nothing flipped, and
+// features where they were.
+
+#include "TestMeasures.h"
+
+#include "vtkAnisotropicRemesher.h"
+#include "vtkSurfaceMeshComparison.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <functional>
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+/** A mesh and how it compares with its surface. */
+struct Trial
+{
+  vtkSmartPointer<vtkPolyData> mesh;
+  vtkSmartPointer<vtkSurfaceMeshComparison> comparison;
+
+  double value(const std::string& column) const
+  {
+    vtkDataArray* array = vtkDataArray::SafeDownCast(
+      this->comparison->GetSummaryOutput()->GetColumnByName(column.c_str()));
+    CHECK(array != nullptr);
+    return array ? array->GetComponent(0, 0) : 0.0;
+  }
+};
+
+/** What every mesh must keep: topology, the number of points, and the side it faces. */
+Trial checkedMesh(vtkPolyData* surface, vtkIdType points, double anisotropy)
+{
+  auto remesher = vtkSmartPointer<vtkAnisotropicRemesher>::New();
+  remesher->SetInputData(surface);
+  remesher->SetNumberOfPoints(points);
+  remesher->SetAnisotropy(anisotropy);
+  Messages messages(remesher);
+  remesher->Update();
+  CHECK(messages.errors().empty() && messages.warnings().empty());
+  Trial trial{ remesher->GetOutput(), vtkSmartPointer<vtkSurfaceMeshComparison>::New() };
+  trial.comparison->SetInputData(trial.mesh);
+  trial.comparison->SetReferenceData(surface);
+  trial.comparison->SetNumberOfSamples(20000);
+  trial.comparison->BoundMaximumDistanceOff();
+  trial.comparison->Update();
+  CHECK_EQUAL(trial.mesh->GetNumberOfPoints(), points);
+  CHECK_EQUAL(trial.value("NumberOfFlippedTriangles"), 0.0);
+  for (const char* kept : { "EulerCharacteristic", "NumberOfComponents", "NumberOfBoundaryLoops" })
+  {
+    CHECK_EQUAL(trial.value(kept), trial.value(std::string("Reference") + kept));
+  }
+  return trial;
+}
+
+/** Length of the mesh's edges of so many triangles with both ends and the middle on a line. */
+double lengthAlong(
+  vtkPolyData* mesh, int triangles, const std::function<bool(const Point3&)>& onLine, int& edges)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> valences;
+  for (const auto& [edge, count] : directedEdgesOf(mesh))
+  {
+    valences[std::minmax(edge.first, edge.second)] += count;
+  }
+  double length = 0.0;
+  edges = 0;
+  for (const auto& [edge, valence] : valences)
+  {
+    const Point3 a = pointOf(mesh, edge.first);
+    const Point3 b = pointOf(mesh, edge.second);
+    if (valence == triangles && onLine(a) && onLine(b) && onLine(0.5 * (a + b)))
+    {
+      length += (b - a).norm();
+      ++edges;
+    }
+  }
+  return length;
+}
+
+/** A wall around a profile, from height 0 to `height`, in so many layers. */
+void addWall(
+  const std::vector<Point3>& profile, double height, int layers, bool outward, TriangleSoup& soup)
+{
+  const auto first = static_cast<Offset>(soup.points.size());
+  const auto n = static_cast<Offset>(profile.size());
+  for (int layer = 0; layer <= layers; ++layer)
+  {
+    for (const Point3& p : profile)
+    {
+      soup.points.emplace_back(p[0], p[1], height * (static_cast<double>(layer) / layers));
+    }
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (Offset k = 0; k < n; ++k)
+    {
+      const Offset a = first + layer * n + k;
+      const Offset b = first + layer * n + (k + 1) % n;
+      soup.triangles.push_back(
+        outward ? std::array<Offset, 3>{ a, b, b + n } : std::array<Offset, 3>{ a, b + n, b });
+      soup.triangles.push_back(outward ? std::array<Offset, 3>{ a, b + n, a + n }
+                                       : std::array<Offset, 3>{ a, a + n, b + n });
+    }
+  }
+}
+
+/** The flat ring between two profiles of the same number of points. */
+void addRing(const std::vector<Point3>& inner, const std::vector<Point3>& outer, double z, bool up,
+  TriangleSoup& soup)
+{
+  const auto first = static_cast<Offset>(soup.points.size());
+  const auto n = static_cast<Offset>(inner.size());
+  for (const auto* profile : { &inner, &outer })
+  {
+    for (const Point3& p : *profile)
+    {
+      soup.points.emplace_back(p[0], p[1], z);
+    }
+  }
+  for (Offset k = 0; k < n; ++k)
+  {
+    const Offset a = first + k;
+    const Offset b = first + (k + 1) % n;
+    soup.triangles.push_back(
+      up ? std::array<Offset, 3>{ a, a + n, b + n } : std::array<Offset, 3>{ a, b + n, a + n });
+    soup.triangles.push_back(
+      up ? std::array<Offset, 3>{ a, b + n, b } : std::array<Offset, 3>{ a, b, b + n });
+  }
+}
+
+/** Points around the axis at a radius for each. */
+std::vector<Point3> profileOf(int points, const std::function<double(int)>& radius)
+{
+  std::vector<Point3> profile;
+  for (int k = 0; k < points; ++k)
+  {
+    const double angle = 2.0 * pi * k / points;
+    profile.emplace_back(radius(k) * std::cos(angle), radius(k) * std::sin(angle), 0.0);
+  }
+  return profile;
+}
+
+/** A gear with a bore: sharp teeth, a round crease on each side, genus 1. */
+void testGear()
+{
+  constexpr int teeth = 12;
+  const auto outer = profileOf(6 * teeth, [](int k) { return k % 6 < 3 ? 1.0 : 0.8; });
+  const auto bore = profileOf(6 * teeth, [](int) { return 0.3; });
+  TriangleSoup soup;
+  addWall(outer, 0.3, 3, true, soup);
+  addWall(bore, 0.3, 3, false, soup);
+  addRing(bore, outer, 0.0, false, soup);
+  addRing(bore, outer, 0.3, true, soup);
+  const auto surface = polyDataOf(soup);
+  const double volume = volumeOf(surface);
+  double outline = 0.0;
+  for (std::size_t k = 0; k < outer.size(); ++k)
+  {
+    outline += (outer[(k + 1) % outer.size()] - outer[k]).norm();
+  }
+  const auto onOutline = [](double z)
+  {
+    return [z](const Point3& p)
+    { return std::abs(p[2] - z) < 1e-9 && std::hypot(p[0], p[1]) > 0.75; };
+  };
+  for (const double anisotropy : { 0.0, 0.04, 0.2 })
+  {
+    const Trial trial = checkedMesh(surface, 1000, anisotropy);
+    CHECK(isClosedManifold(trial.mesh));
+    CHECK_NEAR(volumeOf(trial.mesh), volume, 2e-3 * volume);
+    // Other edges lie in the same planes, but the mean distance sees what is cut off.
+    int edges = 0;
+    CHECK(lengthAlong(trial.mesh, 2, onOutline(0.0), edges) > outline * (1.0 - 1e-9));
+    CHECK(lengthAlong(trial.mesh, 2, onOutline(0.3), edges) > outline * (1.0 - 1e-9));
+    CHECK(trial.value("RelativeRMSDistance") < 1e-3);
+  }
+}
+
+/** Three fine sheets on one line: it is kept, and made coarser with the rest. */
+void testJunction()
+{
+  constexpr int n = 40;
+  TriangleSoup soup;
+  for (int sheet = 0; sheet < 3; ++sheet)
+  {
+    TriangleSoup own = gridPatch(n, n);
+    const double angle = 2.0 * pi * sheet / 3.0;
+    for (Point3& p : own.points)
+    {
+      p = Point3(p[0] * std::cos(angle), p[1], p[0] * std::sin(angle));
+      p = p[0] == 0.0 ? Point3(0.0, p[1], 0.0) : p;
+    }
+    append(soup, own, Point3::Zero());
+  }
+  const auto surface = polyDataOf(soup);
+  const auto onLine = [](const Point3& p)
+  { return std::abs(p[0]) < 1e-12 && std::abs(p[2]) < 1e-12; };
+  for (const double anisotropy : { 0.0, 0.05 })
+  {
+    const Trial trial = checkedMesh(surface, 500, anisotropy);
+    int edges = 0;
+    CHECK_NEAR(lengthAlong(trial.mesh, 3, onLine, edges), 1.0, 1e-12);
+    CHECK(edges < n / 2);
+    CHECK_EQUAL(trial.value("NumberOfComponents"), 1.0);
+    CHECK_NEAR(areaOf(trial.mesh), 3.0, 1e-9);
+  }
+}
+
+/** How long the border is against the surface's. */
+double borderRatio(const Trial& trial, vtkPolyData* surface)
+{
+  const auto everywhere = [](const Point3&) { return true; };
+  int edges = 0;
+  const double length = lengthAlong(trial.mesh, 1, everywhere, edges);
+  return length / lengthAlong(surface, 1, everywhere, edges);
+}
+
+void testTube()
+{
+  TriangleSoup soup;
+  addWall(profileOf(96, [](int) { return 0.5; }), 2.0, 40, true, soup);
+  const auto surface = polyDataOf(soup);
+  for (const double anisotropy : { 0.0, 0.1 })
+  {
+    const Trial trial = checkedMesh(surface, 400, anisotropy);
+    CHECK_NEAR(borderRatio(trial, surface), 1.0, 1e-2);
+    CHECK(trial.value("RelativeRMSDistance") < 2e-3);
+  }
+}
+
+void testSaddle()
+{
+  TriangleSoup soup = gridPatch(60, 60);
+  for (Point3& p : soup.points)
+  {
+    const double x = 2.0 * p[0] - 1.0;
+    const double y = 2.0 * p[1] - 1.0;
+    p = Point3(x, y, x * y);
+  }
+  const auto surface = polyDataOf(soup);
+  for (const double anisotropy : { 0.0, 0.1 })
+  {
+    const Trial trial = checkedMesh(surface, 400, anisotropy);
+    CHECK_NEAR(borderRatio(trial, surface), 1.0, 1e-3);
+    CHECK(trial.value("RelativeRMSDistance") < 1e-3);
+  }
+}
+
+/** A wavy plate with square holes close to each other: 17 loops, concave corners, narrow bars. */
+void testHoles()
+{
+  constexpr int n = 36;
+  const TriangleSoup grid = gridPatch(n, n);
+  TriangleSoup soup;
+  soup.points = grid.points;
+  for (std::size_t t = 0; t < grid.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = grid.triangles[t];
+    const Point3 center = n * (grid.points[a] + grid.points[b] + grid.points[c]) / 3.0;
+    const auto inHole = [](double x) { return std::fmod(x, 9.0) > 3.0 && std::fmod(x, 9.0) < 8.0; };
+    if (!inHole(center[0]) || !inHole(center[1]))
+    {
+      soup.triangles.push_back(grid.triangles[t]);
+    }
+  }
+  for (Point3& p : soup.points)
+  {
+    p[2] = 0.03 * std::sin(9.0 * p[0]) * std::sin(7.0 * p[1]);
+  }
+  const auto surface = polyDataOf(soup);
+  for (const double anisotropy : { 0.0, 0.05, 0.3 })
+  {
+    const Trial trial = checkedMesh(surface, 400, anisotropy);
+    CHECK_EQUAL(trial.value("NumberOfBoundaryLoops"), 17.0);
+    CHECK_NEAR(borderRatio(trial, surface), 1.0, 1e-3);
+  }
+}
+}
+
+int TestTrustedMeshes(int, char*[])
+{
+  testGear();
+  testJunction();
+  testTube();
+  testSaddle();
+  testHoles();
+  return result();
+}
