@@ -10,7 +10,7 @@ namespace remesh
 namespace
 {
 constexpr int strictPasses = 3; // in which every step must turn a triangle back
-constexpr int mostPasses = 12;
+constexpr int mostPasses = 9;
 constexpr double leastGain = 0.02; // in later ones
 constexpr std::size_t mostSamples = 12;
 
@@ -19,6 +19,7 @@ struct Workshop
 {
   const PlacementProblem& problem;
   const std::vector<Point3>& surfacePlaces;
+  const RunControl& control;
   double gain;
 };
 
@@ -63,8 +64,8 @@ std::vector<Point3> findGoals(const Workshop& shop, Index vertex, RepairedMesh& 
   return goals;
 }
 
-/** Moves a vertex to the best of some places; false where its own does. */
-bool moveVertex(const Workshop& shop, Index vertex, RepairedMesh& mesh)
+/** Moves a vertex to the best of a few or many places; false where its own is. */
+bool moveVertex(const Workshop& shop, Index vertex, bool many, RepairedMesh& mesh)
 {
   if (shop.problem.isFixed(static_cast<std::size_t>(vertex)))
   {
@@ -76,7 +77,7 @@ bool moveVertex(const Workshop& shop, Index vertex, RepairedMesh& mesh)
   Point3 best = before;
   const double start = mesh.costOfStar(star);
   double least = start;
-  for (const Point3& goal : findGoals(shop, vertex, mesh, shop.gain < flippedCost))
+  for (const Point3& goal : findGoals(shop, vertex, mesh, many))
   {
     for (const double way : { 1.0, 0.5, 0.25, 1.5 })
     {
@@ -118,7 +119,7 @@ void mend(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRepair& 
   {
     if (mesh.isFlipped(mesh.triangles()[triangle]))
     {
-      repair.movedVertices += moveVertex(shop, vertex, mesh);
+      repair.movedVertices += moveVertex(shop, vertex, shop.gain < flippedCost, mesh);
     }
   }
   for (int k = 0; k < 3; ++k)
@@ -143,7 +144,11 @@ void mendAround(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRe
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for (const Index vertex : vertices)
   {
-    repair.movedVertices += moveVertex(shop, vertex, mesh);
+    if (shop.control.cancelled())
+    {
+      return;
+    }
+    repair.movedVertices += moveVertex(shop, vertex, false, mesh);
   }
   for (const Index vertex : vertices)
   {
@@ -189,7 +194,8 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
       return Status::success();
     }
     stepsBefore = steps;
-    const Workshop shop{ problem, surfacePlaces, pass < strictPasses ? flippedCost : leastGain };
+    const Workshop shop{ problem, surfacePlaces, control,
+      pass < strictPasses ? flippedCost : leastGain };
     for (Offset t = 0; t < count; ++t)
     {
       if (!flipped[t])
