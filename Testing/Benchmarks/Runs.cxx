@@ -85,6 +85,7 @@ Figures evaluationOnce(const EmbeddedSurface& surface, const Sites& sites, const
       total = timed(
         [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
     });
+  fprintf(stderr, "EVALS %d energy %.12g\n", optimization.voronoi.evaluations(), optimization.sums.totalEnergy);
   const double share = 1.0 / optimization.voronoi.evaluations();
   const auto average = [=](const Elapsed& sum) {
     return Elapsed{ share * sum.wall, share * sum.processor };

@@ -205,9 +205,9 @@ void compareFacets(const EmbeddedSurface& surface, const Sites& sites, Tally& ta
 {
   NeighborLists lists;
   CHECK(lists.build(sites, RunControl()).ok());
-  std::vector<Index> owners;
-  std::vector<double> squared; // not of use here
-  CHECK(findOwners(surface, sites, lists, RunControl(), owners, squared).ok());
+  Ownership ownership;
+  CHECK(ownership.update(surface, sites, lists, RunControl()).ok());
+  const std::vector<Index>& owners = ownership.owners();
   FacetDecomposition<D> decomposition(surface, sites, lists, owners);
   FacetIntegration<D> baseline(surface, sites, lists, owners, InstructionSet::Baseline);
   FacetIntegration<D> widest(surface, sites, lists, owners, widestInstructionSet());

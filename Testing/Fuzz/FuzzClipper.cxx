@@ -295,9 +295,9 @@ void checkSurface(const EmbeddedSurface& surface, const Sites& sites)
 {
   NeighborLists lists;
   FUZZ_CHECK(lists.build(sites, RunControl()).ok());
-  std::vector<Index> owners;
-  std::vector<double> squared; // not of use here
-  FUZZ_CHECK(findOwners(surface, sites, lists, RunControl(), owners, squared).ok());
+  Ownership ownership;
+  FUZZ_CHECK(ownership.update(surface, sites, lists, RunControl()).ok());
+  const std::vector<Index>& owners = ownership.owners();
   FacetDecomposition<D> decomposition(surface, sites, lists, owners);
   FacetIntegration<D> integration(surface, sites, lists, owners, widestInstructionSet());
   for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)

@@ -4,7 +4,9 @@
  *
  * A function is written once and inlined into one copy for each set; which one runs is chosen by
  * pointer. Products and sums are rounded on their own (a flag of this library's build) and each
- * lane is worked on alone, so that all copies give the same bits.
+ * lane is worked on alone, so that all copies give the same bits. Such a function must not call
+ * others that are not inlined: GCC 12 then leaves the wide registers' upper halves in use, which
+ * slows all other code down.
  */
 #ifndef remesh_Lanes_h
 #define remesh_Lanes_h

@@ -97,7 +97,22 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
       }
     });
   m_largestDisplacement = *std::max_element(m_displacements.begin(), m_displacements.end());
-  return measured ? Status::success() : Status::cancelled();
+  const bool compared = measured &&
+    forEachRange(blocksOf(sites), control,
+      [&](Offset begin, Offset end)
+      {
+        for (Offset k = begin; k < end; ++k)
+        {
+          const NeighborList neighbors = this->list(static_cast<Index>(k));
+          double largest = 0.0;
+          for (Index entry = 0; entry < neighbors.count; ++entry)
+          {
+            largest = std::max(largest, m_displacements[neighbors.sites[entry]]);
+          }
+          m_approaches[k] = m_displacements[k] + largest;
+        }
+      });
+  return compared ? Status::success() : Status::cancelled();
 }
 
 bool NeighborLists::worn() const
@@ -161,6 +176,7 @@ Status NeighborLists::build(const Sites& sites, const RunControl& control)
   m_distances.resize(m_ids.size());
   m_places.resize(n);
   m_displacements.assign(n, 0.0);
+  m_approaches.assign(n, 0.0);
   m_largestDisplacement = 0.0;
   const bool done = forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)

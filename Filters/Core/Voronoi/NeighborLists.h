@@ -8,7 +8,8 @@
  *
  * Lists are kept while the sites move little (Verlet lists, as in molecular dynamics): with d0 the
  * distance when the list was built and delta the displacement since, the distance now is at least
- * d0 - delta_i - delta_max. All stopping tests use that lower bound, so they stay exact. Lists are
+ * d0 - delta_i - delta_max, where delta_max is that of the sites in the list for those, and of all
+ * sites for others. All stopping tests use that lower bound, so they stay exact. Lists are
  * built anew when too many have become too short to be of use; how far each reached tells how far
  * to look then.
  */
@@ -19,6 +20,7 @@
 #include "Support/Status.h"
 #include "Voronoi/NeighborSearch.h"
 
+#include <algorithm>
 #include <optional>
 #include <unordered_map>
 
@@ -60,12 +62,17 @@ public:
    */
   bool holds(Index site, double distance, double& farthest) const
   {
-    farthest = distance + this->approach(site);
-    return farthest <= m_places[site].reach;
+    farthest = distance + m_approaches[site];
+    return distance + this->approach(site) <= m_places[site].reach;
   }
 
-  /** At most by so much is a neighbour of this site nearer now than when the list was built. */
+  /** Sites that are not in the list are no nearer than this now; infinity if all are in it. */
+  double reach(Index site) const { return m_places[site].reach - this->approach(site); }
+
+  /** At most by so much is another site nearer now than when the list was built. */
   double approach(Index site) const { return m_displacements[site] + m_largestDisplacement; }
+  /** The same of the sites in the list. */
+  double approachOfListed(Index site) const { return m_approaches[site]; }
 
   /** The tree over the sites as they were when the lists were built. */
   const NeighborSearch& search() const { return *m_search; }
@@ -91,6 +98,7 @@ private:
   Index m_length = 0;
 
   std::vector<double> m_displacements; ///< n, since the lists were built
+  std::vector<double> m_approaches;    ///< n, of the sites in each list
   double m_largestDisplacement = 0.0;
 };
 
@@ -138,9 +146,10 @@ public:
   /** No site from here on is nearer than this. */
   double leastDistance() const
   {
-    const double built =
-      m_extended ? (*m_extended)[m_current].distance : m_list.distances[m_current];
-    return built - m_lists.approach(m_site);
+    return m_extended
+      ? (*m_extended)[m_current].distance - m_lists.approach(m_site)
+      : std::min(m_list.distances[m_current] - m_lists.approachOfListed(m_site),
+          m_lists.reach(m_site));
   }
 
 private:

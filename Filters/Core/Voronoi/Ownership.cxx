@@ -5,71 +5,143 @@
 #include "Support/Parallel.h"
 #include "Voronoi/SecurityRadius.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace remesh
 {
 namespace
 {
+/** Far above the rounding of distances, far below the spacing of sites. */
+constexpr double relativeRounding = 1e-12;
+constexpr float noLead = -1.0F;
+/** With fewer corners to a site, looking after the sites costs more than it saves. */
+constexpr Index fewestCorners = 4;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Nearer
+{
+  Index site = noIndex; ///< one that is nearer than the owner, or noIndex
+  double owned = 0.0;   ///< squared distance of the owner
+  double others = 0.0;  ///< no other site is nearer than this, if there is none
+};
+
 /**
- * A site nearer to the point than `owner`, or noIndex. Sites farther than twice the owner's
- * distance from the owner cannot be. `owned` is that distance, squared.
+ * A site nearer to the point than `owner`. Sites farther than twice the owner's distance from the
+ * owner cannot be.
  */
 template <int D>
-Index findNearer(const double* point, Index owner, const Sites& sites, const NeighborLists& lists,
-  LongerLists& longer, double& owned)
+Nearer findNearer(const double* point, Index owner, const Sites& sites, const NeighborLists& lists,
+  LongerLists& longer)
 {
   const int d = sites.dimension;
   const SecurityRadius security(d);
-  owned = squaredDistance<D>(sites.site(owner), point, d);
-  const double radius = std::sqrt(owned);
+  Nearer result;
+  result.owned = squaredDistance<D>(sites.site(owner), point, d);
+  const double radius = std::sqrt(result.owned);
+  double second = infinity; // squared
+  double beyond = infinity;
   NeighborWalk walk(lists, longer, owner);
   while (walk.next())
   {
     if (security.excludes(walk.leastDistance(), radius, radius))
     {
-      return noIndex;
+      beyond = walk.leastDistance() - radius;
+      break;
     }
     const double other = squaredDistance<D>(sites.site(walk.site()), point, d);
-    if (other < owned || (other == owned && walk.site() < owner))
+    if (other < result.owned || (other == result.owned && walk.site() < owner))
     {
-      return walk.site();
+      result.site = walk.site();
+      return result;
     }
+    second = std::min(second, other);
   }
-  return noIndex;
+  result.others = std::min(std::sqrt(second), beyond);
+  return result;
+}
+
+/** The sum of a lead and the drift, to be compared with later drifts. */
+float kept(double owned, double others, double radius, double drift)
+{
+  const double lead = std::min(others - owned - relativeRounding * (others + owned), radius);
+  if (owned > radius || lead <= 0.0)
+  {
+    return noLead;
+  }
+  return std::nextafter(static_cast<float>(lead + drift), noLead);
 }
 }
 
-Status findOwners(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
-  const RunControl& control, std::vector<Index>& owners, std::vector<double>& squared)
+template <int D>
+void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surface,
+  const Sites& sites, const NeighborLists& lists)
 {
-  const bool known = owners.size() == static_cast<std::size_t>(surface.numberOfCorners());
-  owners.resize(static_cast<std::size_t>(surface.numberOfCorners()));
-  squared.resize(owners.size());
-  const auto walkTo = [&](auto dimension, Index corner, auto& reader, LongerLists& longer)
+  LongerLists longer;
+  CornerReader<D> reader(surface);
+  Index last = noIndex; // the corner before is near
+  for (Index corner = begin; corner < end; ++corner)
   {
-    const double* point = reader.corner(corner);
-    Index owner = known ? owners[corner] : lists.search().nearest(point);
-    for (Index nearer = owner; nearer != noIndex;)
+    Index owner = m_owners[corner];
+    if (owner != noIndex && m_leads[corner] > m_drift.drift(owner))
     {
-      owner = nearer;
-      nearer =
-        findNearer<decltype(dimension)::value>(point, owner, sites, lists, longer, squared[corner]);
+      if (!m_squared.empty())
+      {
+        m_squared[corner] =
+          squaredDistance<D>(sites.site(owner), reader.corner(corner), sites.dimension);
+      }
+      continue;
     }
-    owners[corner] = owner;
-  };
+    const double* point = reader.corner(corner);
+    if (owner == noIndex)
+    {
+      owner = last != noIndex ? last : lists.search().nearest(point);
+    }
+    Nearer nearer;
+    do
+    {
+      owner = nearer.site != noIndex ? nearer.site : owner;
+      nearer = findNearer<D>(point, owner, sites, lists, longer);
+    } while (nearer.site != noIndex);
+    m_owners[corner] = owner;
+    m_leads[corner] =
+      kept(std::sqrt(nearer.owned), nearer.others, m_drift.radius(owner), m_drift.drift(owner));
+    if (!m_squared.empty())
+    {
+      m_squared[corner] = nearer.owned;
+    }
+    last = owner;
+  }
+}
+
+Status Ownership::update(const EmbeddedSurface& surface, const Sites& sites,
+  const NeighborLists& lists, const RunControl& control)
+{
+  const auto corners = static_cast<std::size_t>(surface.numberOfCorners());
+  if (m_owners.size() != corners || m_numberOfSites != sites.count())
+  {
+    m_owners.assign(corners, noIndex);
+    m_leads.assign(corners, noLead);
+    m_squared.resize(surface.dimension >= manyDimensions ? corners : 0);
+    m_drift = SiteDrift();
+    m_numberOfSites = sites.count();
+  }
+  const bool keepsLeads = surface.numberOfCorners() / fewestCorners >= sites.count();
+  if (Status status =
+        keepsLeads ? m_drift.update(sites, lists, control.silent()) : Status::success();
+      !status.ok())
+  {
+    return status;
+  }
   const bool done = forEachRange(Blocks::cut(surface.numberOfCorners(), 1024, 4096), control,
     [&](Offset begin, Offset end)
     {
-      LongerLists longer;
       dispatchDimension(sites.dimension,
         [&](auto dimension)
         {
-          CornerReader<decltype(dimension)::value> reader(surface);
-          for (Offset corner = begin; corner < end; ++corner)
-          {
-            walkTo(dimension, static_cast<Index>(corner), reader, longer);
-          }
+          this->updateRange<decltype(dimension)::value>(
+            static_cast<Index>(begin), static_cast<Index>(end), surface, sites, lists);
         });
     });
   return done ? Status::success() : Status::cancelled();

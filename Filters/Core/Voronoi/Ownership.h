@@ -1,24 +1,42 @@
 /**
  * @file Ownership.h
- * @brief The site nearest to each corner of the surface.
+ * @brief The site nearest to each corner of the surface, while the sites move.
+ *
+ * Walks from each corner's last owner to a nearer neighbour as long as there is one: exact (the
+ * lower id wins a tie), and a few distances when the last owner is nearly right. By how much an
+ * owner is nearer than all other sites is kept: as long as the sites have moved by less
+ * (SiteDrift.h), it is still the owner, and no distance is computed.
  */
 #ifndef remesh_Ownership_h
 #define remesh_Ownership_h
 
-#include "Voronoi/NeighborLists.h"
+#include "Voronoi/SiteDrift.h"
 
 namespace remesh
 {
-/**
- * Walks from each corner's last owner to a nearer neighbour as long as there is one: exact (the
- * lower id wins a tie), and a few distances when the last owner is nearly right.
- *
- * @param owners C sites to start from; empty: start from a search in the tree. On return, the
- *        owners.
- * @param squared C, on return the squared distances to them.
- */
-Status findOwners(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
-  const RunControl& control, std::vector<Index>& owners, std::vector<double>& squared);
+class Ownership
+{
+public:
+  /** Starts from the last owners; from a search in the tree for the first of many corners. */
+  Status update(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
+    const RunControl& control);
+
+  /** C sites. */
+  const std::vector<Index>& owners() const { return m_owners; }
+  /** C squared distances to them, in `manyDimensions` only, where they are worth keeping. */
+  const std::vector<double>& squared() const { return m_squared; }
+
+private:
+  template <int D>
+  void updateRange(Index begin, Index end, const EmbeddedSurface& surface, const Sites& sites,
+    const NeighborLists& lists);
+
+  std::vector<Index> m_owners;
+  std::vector<double> m_squared;
+  SiteDrift m_drift;
+  Index m_numberOfSites = 0;
+  std::vector<float> m_leads; ///< C, and the owner's drift when it was found; rounded down
+};
 }
 
 #endif

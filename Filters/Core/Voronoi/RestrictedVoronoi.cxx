@@ -5,7 +5,6 @@
 #include "Voronoi/DiagramBlocks.h"
 #include "Voronoi/FacetDecomposition.h"
 #include "Voronoi/FacetIntegration.h"
-#include "Voronoi/Ownership.h"
 
 #include <algorithm>
 
@@ -96,11 +95,7 @@ Status RestrictedVoronoi::locate(const Sites& sites, const RunControl& control)
     return status;
   }
   timer.next(m_times.ownership);
-  for (Index& owner : m_owners)
-  {
-    owner = std::min(owner, static_cast<Index>(sites.count() - 1));
-  }
-  return findOwners(m_surface, sites, m_lists, control.step(1, 4), m_owners, m_squared);
+  return m_ownership.update(m_surface, sites, m_lists, control.step(1, 4));
 }
 
 template <int D>
@@ -122,8 +117,8 @@ Status RestrictedVoronoi::evaluate(
     [&]()
     {
       return std::unique_ptr<BlockScratch<D>>(new BlockScratch<D>{
-        FacetIntegration<D>(m_surface, sites, m_lists, m_owners, m_instructions),
-        FacetDecomposition<D>(m_surface, sites, m_lists, m_owners),
+        FacetIntegration<D>(m_surface, sites, m_lists, this->owners(), m_instructions),
+        FacetDecomposition<D>(m_surface, sites, m_lists, this->owners()),
         BlockAccumulator<D>(m_surface, sites) });
     });
   const auto cutWindow = [&](Offset first, Offset last, const RunControl& part)
@@ -134,8 +129,8 @@ Status RestrictedVoronoi::evaluate(
         const Offset block = first + k;
         const auto scratch = pool.borrow();
         scratch->accumulator.begin(m_blockSums[block]);
-        cutBlock<D>(blocks.begin(block), blocks.end(block), m_surface, m_owners, m_squared,
-          *scratch, diagram ? &pieces[k] : nullptr);
+        cutBlock<D>(blocks.begin(block), blocks.end(block), m_surface, this->owners(),
+          m_ownership.squared(), *scratch, diagram ? &pieces[k] : nullptr);
         scratch->accumulator.finish();
       });
   };

@@ -23,6 +23,7 @@
 #include "Voronoi/CellSums.h"
 #include "Voronoi/Diagram.h"
 #include "Voronoi/NeighborLists.h"
+#include "Voronoi/Ownership.h"
 
 namespace remesh
 {
@@ -53,7 +54,7 @@ public:
   Status decompose(const Sites& sites, const RunControl& control, CellSums& sums, Diagram& diagram);
 
   /** Site that owns each corner (C), of the last evaluation. */
-  const std::vector<Index>& owners() const { return m_owners; }
+  const std::vector<Index>& owners() const { return m_ownership.owners(); }
   /** Diagrams computed so far. */
   int evaluations() const { return m_evaluations; }
   const EvaluationTimes& times() const { return m_times; }
@@ -66,8 +67,7 @@ private:
   const EmbeddedSurface& m_surface;
   InstructionSet m_instructions;
   NeighborLists m_lists;
-  std::vector<Index> m_owners;        ///< C
-  std::vector<double> m_squared;      ///< C, distances to them
+  Ownership m_ownership;
   std::vector<BlockSums> m_blockSums; ///< kept for their memory
   int m_evaluations = 0;
   EvaluationTimes m_times;

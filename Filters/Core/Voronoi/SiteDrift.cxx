@@ -1,0 +1,88 @@
+#include "Voronoi/SiteDrift.h"
+
+#include "Embedding/Distance.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+/** Covers the rounding of the moves. */
+constexpr double aboveRounding = 1.0 + 1e-12;
+/** The part of its list's reach that a site starts with as radius; at a third it ends. */
+constexpr double partOfReach = 0.26;
+
+Blocks blocksOf(const Sites& sites)
+{
+  return Blocks::cut(sites.count(), 1024, 4096);
+}
+
+double firstRadius(Index site, const NeighborLists& lists)
+{
+  const NeighborList list = lists.list(site);
+  const double reach = lists.reach(site);
+  // A list that holds all sites reaches everywhere.
+  const double finite = std::isfinite(reach) ? reach
+    : list.count > 0                         ? list.distances[list.count - 1]
+                                             : 1.0;
+  return partOfReach * std::max(finite, 0.0);
+}
+}
+
+Status SiteDrift::update(const Sites& sites, const NeighborLists& lists, const RunControl& control)
+{
+  const auto n = static_cast<std::size_t>(sites.count());
+  if (m_last.coordinates.size() != sites.coordinates.size())
+  {
+    m_places.assign(n, Place{});
+    m_moves.assign(n, 0.0);
+    m_last = sites;
+  }
+  bool done = forEachRange(blocksOf(sites), control.silent(),
+    [&](Offset begin, Offset end)
+    {
+      for (Offset k = begin; k < end; ++k)
+      {
+        const auto site = static_cast<Index>(k);
+        const double squared =
+          squaredDistance<Eigen::Dynamic>(sites.site(site), m_last.site(site), sites.dimension);
+        m_moves[k] = aboveRounding * std::sqrt(squared);
+      }
+    });
+  done = done &&
+    forEachRange(blocksOf(sites), control.silent(),
+      [&](Offset begin, Offset end)
+      {
+        for (Offset k = begin; k < end; ++k)
+        {
+          const auto site = static_cast<Index>(k);
+          const NeighborList list = lists.list(site);
+          double largest = 0.0;
+          for (Index entry = 0; entry < list.count; ++entry)
+          {
+            largest = std::max(largest, m_moves[list.sites[entry]]);
+          }
+          Place& place = m_places[k];
+          place.drift += m_moves[k] + largest;
+          place.radius += m_moves[k];
+          // Others are at least 3 radii away, and so 2 from each point: they lead by 1.
+          double farthest = 0.0;
+          if (place.radius == 0.0 || !lists.holds(site, 3.0 * place.radius, farthest))
+          {
+            place.drift += place.radius; // more than any lead
+            place.radius = firstRadius(site, lists);
+          }
+        }
+      });
+  if (!done)
+  {
+    m_last = Sites{}; // begin anew
+    return Status::cancelled();
+  }
+  m_last = sites;
+  return Status::success();
+}
+}
