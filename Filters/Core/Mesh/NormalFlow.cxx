@@ -8,7 +8,7 @@
  *    nothing.
  * 2. A few implicit steps (M + t L) n' = M n, normalised after each: the time is not bound to the
  *    facets' sizes as that of averaging is. Heat spreads over sqrt(4 t) in time t.
- * 3. Each step by conjugate gradients with Jacobi's preconditioner, to four digits: normals
+ * 3. Each step by conjugate gradients with Jacobi's preconditioner, to two digits: normals
  *    need no more.
  */
 #include "Mesh/NormalFlow.h"
@@ -28,6 +28,10 @@ namespace
 constexpr int numberOfSteps = 3;
 constexpr double largestCotangent = 100.0;
 constexpr double leastLength = 1e-12;
+/** Of the residual; its rest is long waves, which move a normal by less than a hundredth of what
+ * the step moves it. */
+constexpr double wantedReduction = 1e-2;
+constexpr std::size_t facetsBetweenQuestions = 1 << 14;
 
 /** M + t L by rows: the off-diagonal entries are -t times the weights. */
 struct FlowMatrix
@@ -75,37 +79,77 @@ std::array<double, 3> halfCotangents(const Triangle& triangle, double doubleArea
   return halves;
 }
 
-/** Joins the entries of each row that have the same column. */
-void mergeEntries(
-  const std::vector<Offset>& begins, std::vector<Entry>& entries, FlowMatrix& matrix)
+/** Puts a row's entries in the order of their columns and joins equal ones. Returns how many. */
+Offset mergeRow(Entry* row, Offset count)
 {
-  matrix.begins.assign(begins.size(), 0);
-  for (std::size_t row = 0; row + 1 < begins.size(); ++row)
+  for (Offset k = 1; k < count; ++k) // insertion: short, and stable
   {
-    const auto begin = entries.begin() + begins[row];
-    const auto end = entries.begin() + begins[row + 1];
-    std::stable_sort(
-      begin, end, [](const Entry& a, const Entry& b) { return a.column < b.column; });
-    double sum = 0.0;
-    for (auto entry = begin; entry != end; ++entry)
+    const Entry entry = row[k];
+    Offset place = k;
+    for (; place > 0 && row[place - 1].column > entry.column; --place)
     {
-      sum += entry->weight;
-      if (entry == begin || entry->column != (entry - 1)->column)
-      {
-        matrix.columns.push_back(entry->column);
-        matrix.weights.push_back(0.0);
-      }
-      matrix.weights.back() += entry->weight;
+      row[place] = row[place - 1];
     }
-    matrix.begins[row + 1] = static_cast<Offset>(matrix.columns.size());
-    matrix.diagonal[row] = matrix.masses[row] + sum;
+    row[place] = entry;
   }
+  Offset merged = 0;
+  for (Offset k = 0; k < count; ++k)
+  {
+    if (merged > 0 && row[merged - 1].column == row[k].column)
+    {
+      row[merged - 1].weight += row[k].weight;
+    }
+    else
+    {
+      row[merged++] = row[k];
+    }
+  }
+  return merged;
 }
 
-/** In units of the radius, so that areas and times are of moderate size. */
-FlowMatrix buildMatrix(const SurfaceMesh& mesh, double radius, double time)
+/** Joins the entries of all rows that have the same column. False when cancelled. */
+bool mergeEntries(const std::vector<Offset>& begins, std::vector<Entry>& entries,
+  const RunControl& control, FlowMatrix& matrix)
 {
-  FlowMatrix matrix;
+  const auto rows = static_cast<Offset>(begins.size()) - 1;
+  const Blocks blocks = Blocks::cut(rows, 64, 1 << 15);
+  matrix.begins.assign(begins.size(), 0);
+  if (!forEachRange(blocks, control,
+        [&](Offset begin, Offset end)
+        {
+          for (Offset row = begin; row < end; ++row)
+          {
+            matrix.begins[row + 1] =
+              mergeRow(entries.data() + begins[row], begins[row + 1] - begins[row]);
+          }
+        }))
+  {
+    return false;
+  }
+  std::partial_sum(matrix.begins.begin(), matrix.begins.end(), matrix.begins.begin());
+  matrix.columns.resize(static_cast<std::size_t>(matrix.begins.back()));
+  matrix.weights.resize(matrix.columns.size());
+  return forEachRange(blocks, control,
+    [&](Offset begin, Offset end)
+    {
+      for (Offset row = begin; row < end; ++row)
+      {
+        const Entry* from = entries.data() + begins[row];
+        matrix.diagonal[row] = matrix.masses[row];
+        for (Offset e = matrix.begins[row]; e < matrix.begins[row + 1]; ++e, ++from)
+        {
+          matrix.columns[e] = from->column;
+          matrix.weights[e] = from->weight;
+          matrix.diagonal[row] += from->weight;
+        }
+      }
+    });
+}
+
+/** In units of the radius, so that areas and times are of moderate size. False when cancelled. */
+bool buildMatrix(const SurfaceMesh& mesh, double radius, double time, const RunControl& control,
+  FlowMatrix& matrix)
+{
   const auto count = mesh.cornerPoints.size();
   matrix.masses.assign(count, 0.0);
   matrix.diagonal.assign(count, 0.0);
@@ -122,6 +166,10 @@ FlowMatrix buildMatrix(const SurfaceMesh& mesh, double radius, double time)
   std::vector<Entry> entries(static_cast<std::size_t>(begins.back()));
   for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
   {
+    if (f % facetsBetweenQuestions == 0 && control.cancelled())
+    {
+      return false;
+    }
     const auto& [a, b, c] = mesh.facetPoints[f];
     const Triangle triangle{ mesh.points[a] / radius, mesh.points[b] / radius,
       mesh.points[c] / radius };
@@ -137,10 +185,8 @@ FlowMatrix buildMatrix(const SurfaceMesh& mesh, double radius, double time)
       entries[next[j]++] = { i, weight };
     }
   }
-  mergeEntries(begins, entries, matrix);
-  return matrix;
+  return mergeEntries(begins, entries, control, matrix);
 }
-
 }
 
 void smoothNormalsOver(
@@ -150,8 +196,13 @@ void smoothNormalsOver(
   {
     return;
   }
-  const FlowMatrix matrix = buildMatrix(mesh, radius, 0.25 / numberOfSteps);
-  const ConjugateGradientsLimits limits;
+  FlowMatrix matrix;
+  if (!buildMatrix(mesh, radius, 0.25 / numberOfSteps, control.silent(), matrix))
+  {
+    return;
+  }
+  ConjugateGradientsLimits limits;
+  limits.reduction = wantedReduction;
   const Blocks blocks = Blocks::cut(static_cast<Offset>(normals.size()), 64, 1 << 15);
   VectorField residual(normals.size());
   for (int step = 0; step < numberOfSteps; ++step)

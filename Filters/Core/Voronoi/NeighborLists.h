@@ -146,10 +146,9 @@ public:
   /** No site from here on is nearer than this. */
   double leastDistance() const
   {
-    return m_extended
-      ? (*m_extended)[m_current].distance - m_lists.approach(m_site)
-      : std::min(m_list.distances[m_current] - m_lists.approachOfListed(m_site),
-          m_lists.reach(m_site));
+    return m_extended ? (*m_extended)[m_current].distance - m_lists.approach(m_site)
+                      : std::min(m_list.distances[m_current] - m_lists.approachOfListed(m_site),
+                          m_lists.reach(m_site));
   }
 
 private:
