@@ -10,13 +10,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace remesh
 {
 namespace
 {
 constexpr int mostRepairs = 32;      // in each stage
-constexpr int mostIdleRepairs = 5;   // since one that was better than all before
+constexpr int mostIdleRepairs = 8;   // since one that was better than all before
 constexpr int settledRepairs = 2;    // later ones change nothing but what they must
 constexpr int roundsBetweenCuts = 4; // of tips
 constexpr double mostFailures = 0.1; // of the vertices; with more, there is no use in going on
@@ -24,6 +25,7 @@ constexpr int mostRefinements = 10;  // rounds in which free sites may join curv
 constexpr int mostAdjustments = 6;
 constexpr int settledAdjustments = 2; // later ones change nothing but what they must
 constexpr int settlingSteps = 2;      // of Lloyd, after each
+constexpr int mostSmoothings = 2;     // in the end, if sites were changed without such steps
 
 /** The dual of the diagram, and whether it is proven to be like the surface. */
 Status dualize(const Task& task, const std::vector<Index>& owners, const RunControl& control,
@@ -130,6 +132,10 @@ enum class RepairStage
   GivenUp
 };
 
+/** How many vertices there are too many or too few, and where the certificate fails; lower is
+ * better. */
+using Score = std::pair<Offset, Offset>;
+
 /** What was mended how often, each with its own bound, and the best state so far. */
 struct Repair
 {
@@ -141,49 +147,56 @@ struct Repair
   Offset fewestFailures = std::numeric_limits<Offset>::max();
   Index addedSites = 0;
   Offset extraPoints = 0;
+  bool unsettled = false; ///< sites were changed without Lloyd's steps after
 
   SiteState best;
-  Offset failuresOfBest = std::numeric_limits<Offset>::max();
+  Score scoreOfBest = { std::numeric_limits<Offset>::max(), 0 };
 };
 
-/** Keeps the state if it is the best so far and has the right number of vertices. */
-void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
+void keepState(const RemeshResult& result, Repair& repair)
 {
-  const Offset failures = result.topology.certificate.violations();
-  repair.idleRounds = failures < repair.fewestFailures ? 0 : repair.idleRounds + 1;
-  repair.fewestFailures = std::min(repair.fewestFailures, failures);
-  const Offset beyond = result.components.count() - options.numberOfSites;
-  const bool fits = !options.exactNumber || (beyond >= 0 && beyond <= repair.extraPoints);
-  if (fits && failures < repair.failuresOfBest)
-  {
-    repair.failuresOfBest = failures;
-    repair.best = { result.sites, result.stations, result.featureSites, repair.addedSites,
-      repair.extraPoints };
-  }
+  repair.best = { result.sites, result.stations, result.featureSites, repair.addedSites,
+    repair.extraPoints };
 }
 
-/** Goes back to the best state, if the current one is no better; false if it is. */
-bool restoreBest(Repair& repair, RemeshResult& result)
+void restoreState(Repair& repair, RemeshResult& result)
 {
-  if (result.topology.certificate.violations() < repair.failuresOfBest)
-  {
-    return false;
-  }
   result.sites = repair.best.sites;
   result.stations = repair.best.stations;
   result.featureSites = repair.best.featureSites;
   repair.addedSites = repair.best.addedSites;
   repair.extraPoints = repair.best.extraPoints;
-  return true;
+}
+
+Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
+{
+  const Offset beyond = result.components.count() - options.numberOfSites;
+  return { options.exactNumber ? std::max({ Offset(0), -beyond, beyond - repair.extraPoints }) : 0,
+    result.topology.certificate.violations() };
+}
+
+/** Keeps the state if it is the best so far. */
+void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
+{
+  const Offset failures = result.topology.certificate.violations();
+  repair.idleRounds = failures < repair.fewestFailures ? 0 : repair.idleRounds + 1;
+  repair.fewestFailures = std::min(repair.fewestFailures, failures);
+  if (const Score score = scoreOf(options, result, repair); score < repair.scoreOfBest)
+  {
+    repair.scoreOfBest = score;
+    keepState(result, repair);
+  }
 }
 
 /** Adds these sites, and others or none, so that the mesh has as many vertices as wanted. */
 Index revise(
   Refinement refinement, Offset wanted, const Task& task, Repair& repair, RemeshResult& result)
 {
-  const Revision revision = reviseSites({ task.surface, result.sites, result.diagram },
-    result.components, result.dual, result.topology.certificate, result.sums, std::move(refinement),
-    wanted, repair.addedSites, result.sites);
+  // Without hope for the topology at least the number shall be right.
+  const Index kept = repair.stage == RepairStage::GivenUp ? 0 : repair.addedSites;
+  const Revision revision =
+    reviseSites({ task.surface, result.sites, result.diagram }, result.components, result.dual,
+      result.topology.certificate, result.sums, std::move(refinement), wanted, kept, result.sites);
   repair.addedSites += revision.added;
   return revision.added + revision.removed;
 }
@@ -216,7 +229,12 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
     repair.stage = nextStage(task, repair, result.components.count());
     repair.rounds = 0;
     repair.idleRounds = 0;
-    return restoreBest(repair, result) ? 1 : repairTopology(task, repair, result);
+    if (result.topology.certificate.violations() < repair.scoreOfBest.second)
+    {
+      return repairTopology(task, repair, result);
+    }
+    restoreState(repair, result);
+    return 1;
   }
   const bool cutTips =
     repair.stage == RepairStage::CutTips && repair.rounds % roundsBetweenCuts == 0;
@@ -271,21 +289,15 @@ Index mend(const Task& task, Repair& repair, RemeshResult& result)
   }
   return 0;
 }
-}
 
-Status findDual(const Task& task, const RunControl& control, RemeshResult& result)
+/** Diagram and dual, again and again while there is something to mend. */
+Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& result)
 {
   const RemeshOptions& options = task.options;
-  if (Status status = knowSurface(task, control.silent(), result); !status.ok())
-  {
-    return status;
-  }
   const bool mayRepair = options.optimize &&
     options.lloydIterations + options.quasiNewton.iterations > 0 &&
     (task.features || result.topology.surface.nonManifoldEdges == 0);
-  RunControl rest = control; // each round fills half of the progress that is left
-  Repair repair;
-  for (;; rest = rest.step(1, 2))
+  for (;; rest = rest.step(1, 2)) // each round fills half of the progress that is left
   {
     Stopwatch watch;
     if (Status status = diagramAndDual(task, rest.step(0, 2), result); !status.ok())
@@ -303,24 +315,80 @@ Status findDual(const Task& task, const RunControl& control, RemeshResult& resul
       repair.stage == RepairStage::Refine && repair.rounds <= settledRepairs;
     if (!settles)
     {
+      repair.unsettled = true;
       roundToCaller(task.surface, result.sites); // nothing is to change but what was touched
       continue;
     }
-    if (Status status = settle(task.surface, options.seed, control.silent(), result); !status.ok())
+    if (Status status = settle(task.surface, options.seed, rest.silent(), result); !status.ok())
     {
       return status;
     }
     result.seconds.repair += watch.lap();
   }
-  if (!result.topology.certificate.holds() && restoreBest(repair, result))
+  if (result.topology.certificate.holds() || scoreOf(options, result, repair) < repair.scoreOfBest)
   {
-    if (Status status = diagramAndDual(task, rest, result); !status.ok())
+    return Status::success();
+  }
+  restoreState(repair, result);
+  return diagramAndDual(task, rest.silent(), result);
+}
+
+/** Spreads the sites evenly where some were taken away, as far as nothing breaks. */
+Status smooth(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+{
+  Stopwatch watch;
+  bool broken = !repair.unsettled || !result.topology.certificate.holds();
+  for (int round = 0; round < mostSmoothings && !broken; ++round)
+  {
+    const Index count = result.components.count();
+    const std::size_t intrusions = result.seams.intrusions.size();
+    keepState(result, repair);
+    const std::vector<Index> staying =
+      sitesAroundAdded(result.components, result.dual, result.sites.count(), repair.addedSites);
+    Status status = settle(task.surface, task.options.seed, control, result);
+    if (status.ok())
+    {
+      for (const Index site : staying)
+      {
+        std::copy_n(repair.best.sites.site(site), task.surface.dimension, result.sites.site(site));
+      }
+      status = diagramAndDual(task, control, result);
+    }
+    broken = !result.topology.certificate.holds() || result.components.count() != count ||
+      result.seams.intrusions.size() > intrusions;
+    if (status.ok() && broken)
+    {
+      restoreState(repair, result);
+      status = diagramAndDual(task, control, result);
+    }
+    if (!status.ok())
     {
       return status;
     }
   }
-  result.wantedVertices = options.exactNumber
-    ? options.numberOfSites
+  result.seconds.repair += watch.lap();
+  return Status::success();
+}
+}
+
+Status findDual(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  Repair repair;
+  Status status = knowSurface(task, control.silent(), result);
+  if (status.ok())
+  {
+    status = mendAll(task, control, repair, result);
+  }
+  if (status.ok())
+  {
+    status = smooth(task, control.silent(), repair, result);
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
+  result.wantedVertices = task.options.exactNumber
+    ? task.options.numberOfSites
     : result.numberOfVertexSites() - result.emptyCells - repair.extraPoints;
   return describeCells(task, control.silent(), result);
 }

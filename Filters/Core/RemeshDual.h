@@ -18,7 +18,8 @@ namespace remesh
  * 3. where the number of vertices is not what was asked for, sites are added or taken away.
  *
  * The first changes are followed by a few steps of Lloyd's; later ones change nothing but what they
- * must. If the certificate fails to the end, the state where it fails at fewest places counts.
+ * must, until in the end all sites take a few steps again, as far as the certificate holds. If it
+ * fails to the end, the state where it fails at fewest places counts.
  *
  * @param result its sites are given, and change.
  * Cost: of each round about that of three steps of Lloyd's, less where these are left out.

@@ -225,15 +225,24 @@ std::vector<char> distancesToFailures(
   return distances;
 }
 
-/** Free sites away from failures, the farther first, then by increasing energy of their cells. */
-std::vector<Index> findDonors(const Components& components, const std::vector<char>& distances,
-  const CellSums& sums, Index fixed, std::size_t wanted)
+/** For each site, the least distance of its components. */
+std::vector<char> distancesOfSites(
+  const Components& components, const std::vector<char>& distances, Index numberOfSites)
 {
-  std::vector<char> nearest(sums.energy.size(), ringsKept + 1);
+  std::vector<char> nearest(static_cast<std::size_t>(numberOfSites), ringsKept + 1);
   for (Index k = 0; k < components.count(); ++k)
   {
     nearest[components.sites[k]] = std::min(nearest[components.sites[k]], distances[k]);
   }
+  return nearest;
+}
+
+/** Free sites away from failures, the farther first, then by increasing energy of their cells. */
+std::vector<Index> findDonors(const Components& components, const std::vector<char>& distances,
+  const CellSums& sums, Index fixed, std::size_t wanted)
+{
+  const std::vector<char> nearest =
+    distancesOfSites(components, distances, static_cast<Index>(sums.energy.size()));
   std::vector<Index> donors;
   for (auto i = static_cast<std::size_t>(fixed); i < nearest.size(); ++i)
   {
@@ -314,5 +323,22 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   removeSites(removed, sites);
   sites.coordinates.insert(sites.coordinates.end(), added.begin(), added.end());
   return { static_cast<Index>(added.size() / d), static_cast<Index>(removed.size()) };
+}
+
+std::vector<Index> sitesAroundAdded(
+  const Components& components, const Dual& dual, Index numberOfSites, Index addedBefore)
+{
+  const std::vector<char> nearest = distancesOfSites(components,
+    distancesToFailures(components, dual, Certificate(), numberOfSites - addedBefore),
+    numberOfSites);
+  std::vector<Index> around;
+  for (Index i = 0; i < numberOfSites; ++i)
+  {
+    if (nearest[i] <= ringsKept)
+    {
+      around.push_back(i);
+    }
+  }
+  return around;
 }
 }

@@ -55,6 +55,10 @@ struct Revision
 Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
   const Certificate& certificate, const CellSums& sums, Refinement refinement, Offset wanted,
   Index addedBefore, Sites& sites);
+
+/** The last `addedBefore` sites, and those a few triangles around them; ascending. O(K). */
+std::vector<Index> sitesAroundAdded(
+  const Components& components, const Dual& dual, Index numberOfSites, Index addedBefore);
 }
 
 #endif
