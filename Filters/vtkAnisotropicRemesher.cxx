@@ -43,7 +43,8 @@ int vtkAnisotropicRemesher::RequestData(
 {
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
   const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints() : this->NumberOfPoints;
-  if (points < 4)
+  const bool isTolerance = this->DistanceTolerance > 0.0 && !initialSites;
+  if (points < 4 && !isTolerance)
   {
     vtkErrorMacro("A mesh needs at least 4 points; "
       << points << (initialSites ? " initial sites were given." : " were asked for."));
@@ -51,6 +52,8 @@ int vtkAnisotropicRemesher::RequestData(
   }
   const bool preserve = this->PreserveFeatures && !initialSites;
   this->Internals->Features = { preserve, this->FeatureAngle };
+  this->Internals->Tolerance = { isTolerance ? this->DistanceTolerance : 0.0,
+    this->DistanceToleranceIsAbsolute, this->MaximumNumberOfPoints };
   remesh::RemeshOptions options;
   options.exactNumber = preserve;
   options.numberOfSites = this->NumberOfPoints;
@@ -72,6 +75,9 @@ void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "DistanceTolerance: " << this->DistanceTolerance << "\n";
+  os << indent << "DistanceToleranceIsAbsolute: " << this->DistanceToleranceIsAbsolute << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "PreserveFeatures: " << this->PreserveFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MaximumNumberOfExtraPoints: " << this->MaximumNumberOfExtraPoints << "\n";

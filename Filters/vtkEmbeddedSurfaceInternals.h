@@ -9,6 +9,7 @@
 
 #include "Adaptors/ExecutionScope.h"
 #include "Adaptors/SurfacePreparation.h"
+#include "Adaptors/ToleranceRun.h"
 
 #include <functional>
 #include <map>
@@ -28,6 +29,9 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
     bool Preserve = false;
     double Angle = 35.0;
   } Features;
+
+  /** A distance instead of a number of points, for the next execution. */
+  remesh::ToleranceRequest Tolerance;
 
   /** Facts about the last execution. */
   struct Facts

@@ -248,6 +248,20 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
     this->MaximumCellEmbeddingDimension };
 
+  const auto write = [&]()
+  {
+    const Clock::time_point start = Clock::now();
+    if (!choice.VoronoiCells && !choice.Edges && input->GetCellData()->GetNumberOfArrays() == 0)
+    {
+      result.diagram = {}; // room for the ports
+      result.edges = {};
+    }
+    remesh::Status status =
+      writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
+    facts.Seconds["placement"] = result.seconds.placement;
+    facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
+    return status;
+  };
   const auto outcome = vtkInternals::Execute(this,
     [&]() -> remesh::Status
     {
@@ -259,6 +273,14 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       request.mayLend = true;
       // Only the cells show the coordinates.
       request.mostKeptDimensions = choice.VoronoiCells ? choice.LargestDimension : 0;
+      const remesh::ToleranceRequest& tolerance = this->Internals->Tolerance;
+      if (status.ok() && tolerance.tolerance > 0.0)
+      {
+        status = remesh::remeshWithin(
+          tolerance, input, request, options, control.part(0.0, 0.95), prepared, result);
+        facts.Intake = prepared.intake;
+        return status.ok() ? write() : status;
+      }
       if (status.ok())
       {
         status = remesh::prepareSurface(input, request, control.part(0.0, 0.1), prepared);
@@ -274,20 +296,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
         status = remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95),
           result, prepared.features ? &*prepared.features : nullptr);
       }
-      if (status.ok())
-      {
-        const Clock::time_point writing = Clock::now();
-        if (!choice.VoronoiCells && !choice.Edges && input->GetCellData()->GetNumberOfArrays() == 0)
-        {
-          result.diagram = {}; // room for the ports
-          result.edges = {};
-        }
-        status =
-          writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
-        facts.Seconds["placement"] = result.seconds.placement;
-        facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(writing);
-      }
-      return status;
+      return status.ok() ? write() : status;
     });
   if (outcome != vtkInternals::Outcome::Done)
   {

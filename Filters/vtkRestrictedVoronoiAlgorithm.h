@@ -20,7 +20,9 @@
  * normal makes more than 90 degrees with the surface's closest to their centre),
  * `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `NumberOfExtraPoints`
  * (points beyond those asked for, or, where sites are given or features are not preserved, beyond
- * the number of sites), `Seed`.
+ * the number of sites), `Seed`; with a distance tolerance `MaximumDistance` (no point of mesh or
+ * surface is further from the other) and `RMSDistance` (root of the mean of both mean squares), in
+ * the unit of the points.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface: from
  * the diagram, whose cells must be disks that meet in segments and points (the closed ball property

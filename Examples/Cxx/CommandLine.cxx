@@ -156,6 +156,10 @@ std::vector<Option> MakeTable()
     { "--points", "N",
       "Number of points of the new mesh, at least 4, those on features among them. Default 10000.",
       SetPoints },
+    { "--tolerance", "T",
+      "Instead of --points: as many as keep mesh and surface within this distance of each other, a "
+      "fraction of the bounding-box diagonal, 0 to 1. Default 0: off.",
+      Number("--tolerance", &Options::Tolerance, 0.0, 1.0) },
     { "--anisotropy", "S",
       "How much the normals count, as a fraction of the bounding-box diagonal, 0 to 1. "
       "Default 0.04; usual are 0.02 to 0.1; 0 is isotropic.",

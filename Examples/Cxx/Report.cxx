@@ -28,6 +28,7 @@ void AddParameters(JsonWriter& json, const Options& options)
 {
   json.BeginObject("parameters");
   json.Add("points", options.NumberOfPoints);
+  json.Add("tolerance", options.Tolerance);
   json.Add("anisotropy", options.Anisotropy);
   json.Add("features", options.PreserveFeatures);
   json.Add("feature_angle", options.FeatureAngle);
@@ -74,6 +75,15 @@ void AddOutput(JsonWriter& json, vtkPolyData* surface)
   json.Add("points", static_cast<long long>(surface->GetNumberOfPoints()));
   json.Add("triangles", static_cast<long long>(surface->GetNumberOfPolys()));
   json.Add("extra_points", FactOf(surface, "NumberOfExtraPoints"));
+  for (const auto& [name, array] : { std::pair<const char*, const char*>{ "maximum_distance",
+                                       "MaximumDistance" },
+         { "rms_distance", "RMSDistance" } })
+  {
+    if (vtkDataArray* distance = surface->GetFieldData()->GetArray(array))
+    {
+      json.Add(name, distance->GetComponent(0, 0));
+    }
+  }
   json.EndObject();
 }
 

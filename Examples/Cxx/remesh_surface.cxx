@@ -203,6 +203,7 @@ void Remesh(Run& run)
   const Options& options = run.Parameters;
   vtkAnisotropicRemesher* remesher = run.Remesher;
   remesher->SetNumberOfPoints(options.NumberOfPoints);
+  remesher->SetDistanceTolerance(options.Tolerance);
   remesher->SetPreserveFeatures(options.PreserveFeatures);
   remesher->SetMaximumNumberOfExtraPoints(options.MaximumExtraPoints);
   remesher->SetFeatureAngle(options.FeatureAngle);

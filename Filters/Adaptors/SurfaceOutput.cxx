@@ -71,6 +71,12 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   add("TopologyPreserved", result.topology.preserved() ? 1 : 0);
   add("NumberOfExtraPoints", result.components.count() - result.wantedVertices);
   add("Seed", source.seed);
+  if (const std::optional<TwoSidedDistance>& distance = result.distance)
+  {
+    columns.add<vtkDoubleArray>(
+      "MaximumDistance", [&](Offset) { return distance->maximumBound(); });
+    columns.add<vtkDoubleArray>("RMSDistance", [&](Offset) { return distance->rms(); });
+  }
 }
 }
 

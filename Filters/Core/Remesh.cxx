@@ -20,7 +20,8 @@ Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResul
     return status;
   }
   result.stations = sampleCurves(
-    task.mesh, task.surface, *task.features, options.numberOfSites, result.neededFeaturePoints);
+    task.mesh, task.surface, *task.features, options.numberOfSites, options.mostCurveError,
+    result.neededFeaturePoints);
   result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
   result.sites = result.featureSites.sites;
   const std::vector<Offset> counts = shareOutSites(task.mesh, task.surface, *task.features,
@@ -128,6 +129,25 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
 }
 }
 
+Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, RunControl control, RemeshResult& result, const Features* features)
+{
+  const Task task{ mesh, surface, features, options };
+  result.topology = {};
+  control.enterPhase("Restricted Voronoi diagram", 0.0, 0.6);
+  if (Status status = findDual(task, control, result); !status.ok())
+  {
+    return status;
+  }
+  if (Status status = sumPlainly(task, control.silent(), result); !status.ok())
+  {
+    return status;
+  }
+  result.vertexKinds = findVertexKinds(result);
+  control.enterPhase("Vertex placement", 0.6, 1.0);
+  return place(task, control, result);
+}
+
 Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
   RunControl control, RemeshResult& result, const Features* features)
 {
@@ -152,16 +172,12 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     roundToCaller(surface, result.sites);
     result.evaluations = voronoi.evaluations();
   }
-  control.enterPhase("Restricted Voronoi diagram", 0.85, 0.94);
-  if (Status status = findDual(task, control, result); !status.ok())
+  if (Status status =
+        completeMesh(mesh, surface, options, control.part(0.85, 1.0), result, features);
+      !status.ok())
   {
     return status;
   }
-  if (Status status = sumPlainly(task, control.silent(), result); !status.ok())
-  {
-    return status;
-  }
-  result.vertexKinds = findVertexKinds(result);
   if (!options.optimize)
   {
     result.convergence.add(0.0, 0.0, 0.0);
@@ -172,11 +188,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     result.convergence.rows.back().energy = result.sums.totalEnergy;
     result.convergence.rows.back().gradientNorm = freeGradientNorm(result.sites, result.sums);
   }
-  control.enterPhase("Vertex placement", 0.94, 1.0);
-  if (Status status = place(task, control, result); !status.ok())
-  {
-    return status;
-  }
+  control.enterPhase("Vertex placement", 0.99, 1.0);
   control.report(1.0);
   return Status::success();
 }

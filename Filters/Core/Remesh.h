@@ -14,6 +14,7 @@
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h
 
+#include "Comparison/SurfaceDistance.h"
 #include "Delaunay/Components.h"
 #include "Delaunay/Dual.h"
 #include "Delaunay/SurfaceLocation.h"
@@ -27,6 +28,9 @@
 #include "Voronoi/CellSums.h"
 #include "Voronoi/Diagram.h"
 #include "Voronoi/PlainSums.h"
+
+#include <limits>
+#include <optional>
 
 namespace remesh
 {
@@ -49,6 +53,8 @@ struct RemeshOptions
    * of the surface otherwise.
    */
   Offset maximumExtraPoints = 0;
+  /** How far curves of the mesh may be from those of the surface at most; unit of the points. */
+  double mostCurveError = std::numeric_limits<double>::infinity();
 };
 
 /** What a vertex of the mesh may do when it is placed anew. */
@@ -81,6 +87,7 @@ struct RemeshResult
   std::vector<Index> numbersOfNeighbors;  ///< n
   Convergence convergence;
   TopologyResult topology;
+  std::optional<TwoSidedDistance> distance; ///< of mesh and surface, where it was measured
   Index emptyCells = 0; ///< of sites that are not on features
   Index movedSites = 0; ///< in repairs; `convergence` ends before them
   int evaluations = 0;
@@ -111,6 +118,15 @@ struct RemeshResult
  */
 Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
   RunControl control, RemeshResult& result, const Features* features = nullptr);
+
+/**
+ * Ends a run again, from the diagram on, after its sites were moved or others added behind them.
+ *
+ * @param result of the run, with the same surface, options and features.
+ */
+Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, RunControl control, RemeshResult& result,
+  const Features* features = nullptr);
 }
 
 #endif

@@ -128,6 +128,12 @@ appended.Embedding = "Position"
 _, points, _ = check_diagram(appended, 100)
 assert points.GetPointData().GetArray("Embedding").GetNumberOfComponents() == 3
 
+# A distance instead of a number of points.
+within = AnisotropicRemesher(Input=sphere, DistanceTolerance=5e-3)
+facts = fetch(within).GetFieldData()
+assert 0 < facts.GetArray("MaximumDistance").GetTuple1(0) < 5e-3 * 3 ** 0.5
+assert facts.GetArray("RMSDistance").GetTuple1(0) > 0
+
 # A density: all arrays of one component are offered.
 assert appended.Density == "None", appended.Density
 weights = Calculator(Input=elevation, ResultArrayName="Weight", Function="1 + 15 * Elevation")

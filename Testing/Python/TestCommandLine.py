@@ -40,7 +40,7 @@ class TestUsage(CommandLineTest):
             for value in ("many", "1.5", "", " 7", "7x", "99999999999999999999"):
                 cases.append((f"{name} (needs an integer|must be from)",
                               files + [f"{name}={value}"]))
-        for name in ("--anisotropy", "--merge-tolerance"):
+        for name in ("--anisotropy", "--merge-tolerance", "--tolerance"):
             for value in ("some", "", "nan", "inf", "-0.1", "1.5", "0.1x"):
                 cases.append((f"{name} (needs a number|must be from)", files + [f"{name}={value}"]))
         for name, value in (("--lloyd", "-1"), ("--lloyd", "100001"), ("--threads", "-1"),
@@ -219,6 +219,23 @@ class TestResults(CommandLineTest):
         self.assertLess(radii["centroid"], radii["surface"])
         self.assertLess(radii["surface"], radii["quadric"])
         self.assertLess(radii["surface"], radii["fit"])
+
+    def test_tolerance(self):
+        counts = []
+        for tolerance in ("1e-2", "3e-3"):
+            self.succeed(self.input(), "out.vtp", "--tolerance", tolerance, "--report", "r.json")
+            with open(self.path("r.json"), encoding="utf-8") as file:
+                report = json.load(file)
+            self.assertEqual(report["parameters"]["tolerance"], float(tolerance))
+            low, high = numpy.array(sphere().GetBounds()).reshape(3, 2).T
+            limit = float(tolerance) * numpy.linalg.norm(high - low)
+            self.assertLessEqual(report["output"]["maximum_distance"], limit)
+            self.assertLess(report["output"]["rms_distance"],
+                            report["output"]["maximum_distance"])
+            self.assertNotEqual(report["output"]["points"], 10000)
+            counts.append(report["output"]["points"])
+        self.assertLess(2 * counts[0], counts[1])
+        self.fail_with(1, "at least 1e-7", self.input(), "out2.vtp", "--tolerance", "1e-9")
 
     def test_density(self):
         # Half the spacing for x > 0: four times as many points, but for the triangles between.

@@ -261,7 +261,7 @@ Station stationAtRadius(
 }
 
 Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset numberOfPoints, Offset& needed)
+  const Features& features, Offset numberOfPoints, double mostError, Offset& needed)
 {
   std::vector<Course> courses(features.curves.size());
   for (std::size_t c = 0; c < courses.size(); ++c)
@@ -281,7 +281,7 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   }
   // Slivers have next to no area.
   double spacing = std::max(std::sqrt(surface.siteMeasure / (hexagonal * n)), length / n);
-  double error = finestError * boundingBoxDiagonal(mesh);
+  double error = std::min(mostError, finestError * boundingBoxDiagonal(mesh));
   double coarsest = std::max(error, coarsestError * spacing * surface.unit);
   const auto countWith = [&](Stations& stations)
   {
@@ -290,8 +290,8 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   };
   Stations stations;
   double count = countWith(stations);
-  const double fine = fineError * boundingBoxDiagonal(mesh);
-  coarsest = std::max(fine, coarsest);
+  const double fine = std::min(mostError, fineError * boundingBoxDiagonal(mesh));
+  coarsest = std::clamp(coarsest, fine, mostError);
   const auto countBends = [&]()
   {
     return static_cast<double>(countFeaturePoints(
@@ -313,7 +313,7 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   for (int k = 0; k < mostGrowths && count > largestShare * n; ++k)
   {
     spacing *= growth;
-    error *= growth;
+    error = std::min(mostError, growth * error);
     count = countWith(stations);
   }
   return stations;

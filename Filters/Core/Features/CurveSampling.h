@@ -51,17 +51,19 @@ Station stationAtRadius(
  *    than half of them for the bends alone, or three fifths in all, it grows on, up to a twentieth
  *    of the points' spacing, until two fifths do for the bends: the rest of the surface needs its
  *    points, too.
+ *    No distance is above `mostError`: then the curves take more points, if they must.
  * 2. Chords longer than the spacing that `numberOfPoints` give are divided evenly. Where the curves
  *    would take more than three fifths of the points, distance and spacing grow along them.
  * 3. A closed curve has three places at least; no two curves share both ends without a place
  *    between them.
  *
  * @param numberOfPoints of the whole mesh.
+ * @param mostError in the unit of the points, above 0.
  * @param needed vertices that corners and bends alone take, at the coarsest distance.
  * Cost: O(V log V) for V points on curves, times the tries for the distance.
  */
 Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset numberOfPoints, Offset& needed);
+  const Features& features, Offset numberOfPoints, double mostError, Offset& needed);
 
 /** The vertices that a mesh has on its features: corners, and places between. */
 Offset countFeaturePoints(const Features& features, const Stations& stations);

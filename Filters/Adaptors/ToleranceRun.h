@@ -1,0 +1,35 @@
+/**
+ * @file ToleranceRun.h
+ * @brief Surface and mesh for a distance, instead of a number of points (Core/ToleranceSearch.h).
+ */
+#ifndef remesh_ToleranceRun_h
+#define remesh_ToleranceRun_h
+
+#include "Adaptors/SurfacePreparation.h"
+#include "ToleranceSearch.h"
+
+class vtkPolyData;
+
+namespace remesh
+{
+struct ToleranceRequest
+{
+  double tolerance = 0.0;  ///< 0: none
+  bool isAbsolute = false; ///< in the unit of the points; else a fraction of the diagonal
+  Offset mostPoints = 1000000;
+};
+
+/**
+ * Prepares the surface for the number of points found, and makes the mesh. Tells in
+ * `result.distance` what was reached, and by a warning in `prepared` where that is not the
+ * tolerance.
+ *
+ * @param options its number of sites is not looked at.
+ * @return InvalidInput for a tolerance below 1e-7 of the diagonal, and as the run.
+ */
+Status remeshWithin(const ToleranceRequest& tolerance, vtkPolyData* input,
+  PreparationRequest request, RemeshOptions options, const RunControl& control,
+  PreparedSurface& prepared, RemeshResult& result);
+}
+
+#endif

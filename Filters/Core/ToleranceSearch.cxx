@@ -1,0 +1,322 @@
+#include "ToleranceSearch.h"
+
+#include "Comparison/DistanceLimit.h"
+#include "Embedding/CornerReader.h"
+#include "Embedding/Distance.h"
+#include "Embedding/Embedding.h"
+#include "Mesh/ClosestPoint.h"
+#include "Voronoi/RestrictedVoronoi.h"
+#include "Voronoi/VertexPlaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
+constexpr double mostOnFeatures = 0.6;   // of the points, see sampleCurves
+constexpr int settlingSteps = 2;
+constexpr int mostIdleRounds = 6; // without fewer far places than ever before
+constexpr double tooNear = 0.2;   // to a site, for another one; over the root of its cell's mass
+constexpr double manyTolerances = 3.0; // beyond which a cell gets two sites at once
+
+Triangles trianglesOf(const SurfaceMesh& mesh)
+{
+  return { mesh.points, mesh.facetPoints };
+}
+
+Triangles trianglesOf(const RemeshResult& result)
+{
+  return { result.placement.positions, result.dual.triangles };
+}
+
+/** A place of the surface from which a distance is beyond the tolerance. */
+struct Excess
+{
+  double distance;
+  Index facet;
+  ClosestPoint at;
+  Index component = noIndex; ///< whose cell it is in
+};
+
+/** All that the rounds share. */
+struct Search
+{
+  const SurfaceMesh& mesh;
+  const EmbeddedSurface& surface;
+  const RemeshOptions& options;
+  const ToleranceOptions& tolerance;
+  const Features* features;
+  RemeshResult& result;
+  TriangleTree tree; ///< of the surface
+};
+
+std::vector<double> embeddedPlace(const EmbeddedSurface& surface, Index facet, const double b[3])
+{
+  CornerReader<Eigen::Dynamic> reader(surface);
+  const auto corners = reader.facet(facet);
+  std::vector<double> place(static_cast<std::size_t>(surface.dimension));
+  for (int k = 0; k < surface.dimension; ++k)
+  {
+    place[k] = b[0] * corners[0][k] + b[1] * corners[1][k] + b[2] * corners[2][k];
+  }
+  return place;
+}
+
+/** The component of the nearest site's piece in the place's facet. */
+Index componentAt(const Search& search, const Excess& excess)
+{
+  const Diagram& diagram = search.result.diagram;
+  const std::vector<double> place = embeddedPlace(search.surface, excess.facet, excess.at.b);
+  Offset nearest = diagram.facetBegin[excess.facet];
+  double least = std::numeric_limits<double>::infinity();
+  for (Offset p = nearest; p < diagram.facetBegin[excess.facet + 1]; ++p)
+  {
+    const double squared = squaredDistance<Eigen::Dynamic>(
+      place.data(), search.result.sites.site(diagram.sites[p]), search.surface.dimension);
+    if (squared < least)
+    {
+      nearest = p;
+      least = squared;
+    }
+  }
+  return search.result.components.ofPiece[nearest];
+}
+
+/** Both ways; ordered by component, the farthest of each alone. */
+Status findExcess(const Search& search, const RunControl& control, std::vector<Excess>& excess)
+{
+  const double limit = search.tolerance.tolerance;
+  const Triangles mesh = trianglesOf(search.result);
+  const TriangleTree meshTree(mesh, control);
+  std::vector<FarPlace> places;
+  if (meshTree.empty())
+  {
+    return Status::invalid("The mesh has no triangle with an area above 0.");
+  }
+  excess.clear();
+  const auto add = [&](double distance, Index facet, const Point3& place)
+  {
+    const Triple& points = search.mesh.facetPoints[facet];
+    excess.push_back({ distance, facet,
+      closestOnTriangle(place, search.mesh.points[points[0]], search.mesh.points[points[1]],
+        search.mesh.points[points[2]]) });
+    excess.back().component = componentAt(search, excess.back());
+  };
+  if (Status status = findPlacesBeyond(mesh, search.tree, limit, control.step(0, 2), places);
+      !status.ok())
+  {
+    return status;
+  }
+  for (const FarPlace& far : places)
+  {
+    add(far.distance, search.tree.triangleOf(search.tree.closest(far.place).slot), far.place);
+  }
+  if (Status status =
+        findPlacesBeyond(trianglesOf(search.mesh), meshTree, limit, control.step(1, 2), places);
+      !status.ok())
+  {
+    return status;
+  }
+  for (const FarPlace& far : places)
+  {
+    add(far.distance, far.triangle, far.place);
+  }
+  std::stable_sort(excess.begin(), excess.end(),
+    [](const Excess& a, const Excess& b)
+    { return a.component != b.component ? a.component < b.component : a.distance > b.distance; });
+  excess.erase(std::unique(excess.begin(), excess.end(),
+                 [](const Excess& a, const Excess& b) { return a.component == b.component; }),
+    excess.end());
+  return Status::success();
+}
+
+/** The point of a component farthest from its site. */
+std::vector<double> farthestPlace(const Search& search, Index component)
+{
+  const Diagram& diagram = search.result.diagram;
+  const Components& components = search.result.components;
+  const VertexPlaces vertices{ search.surface, search.result.sites, diagram };
+  std::vector<double> farthest;
+  double largest = -1.0;
+  for (Offset p = components.pieceBegin[component]; p < components.pieceBegin[component + 1]; ++p)
+  {
+    const Offset piece = components.pieces[p];
+    for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+    {
+      std::vector<double> place =
+        embeddedPlace(search.surface, diagram.facets[piece], vertices.at(piece, v).data());
+      const double squared = squaredDistance<Eigen::Dynamic>(
+        place.data(), search.result.sites.site(diagram.sites[piece]), search.surface.dimension);
+      if (squared > largest)
+      {
+        largest = squared;
+        farthest = std::move(place);
+      }
+    }
+  }
+  return farthest;
+}
+
+/** New sites for these places, at most so many; those for the farthest places first. */
+std::vector<double> newSites(const Search& search, std::vector<Excess> excess, Offset most)
+{
+  if (most < static_cast<Offset>(excess.size()))
+  {
+    std::stable_sort(excess.begin(), excess.end(),
+      [](const Excess& a, const Excess& b) { return a.distance > b.distance; });
+    excess.resize(static_cast<std::size_t>(most));
+  }
+  const auto d = static_cast<std::size_t>(search.surface.dimension);
+  std::vector<double> added;
+  for (const Excess& each : excess)
+  {
+    const std::vector<double> place = embeddedPlace(search.surface, each.facet, each.at.b);
+    const std::vector<double> farthest = farthestPlace(search, each.component);
+    const double squared = squaredDistance<Eigen::Dynamic>(place.data(),
+      search.result.sites.site(search.result.components.sites[each.component]),
+      search.surface.dimension);
+    const bool isNear = squared < tooNear * tooNear * search.result.components.mass[each.component];
+    const bool takesTwo = each.distance > manyTolerances * search.tolerance.tolerance &&
+      static_cast<Offset>(added.size() / d) + 1 < most;
+    if (!isNear)
+    {
+      added.insert(added.end(), place.begin(), place.end());
+    }
+    if (isNear || takesTwo)
+    {
+      added.insert(added.end(), farthest.begin(), farthest.end());
+    }
+  }
+  return added;
+}
+
+/** Free sites of these components and of those around them. */
+std::vector<char> sitesAround(const Search& search, const std::vector<Excess>& excess)
+{
+  const Components& components = search.result.components;
+  std::vector<char> chosen(static_cast<std::size_t>(components.count()), 0);
+  for (const Excess& each : excess)
+  {
+    chosen[each.component] = 1;
+  }
+  const std::vector<char> core = chosen;
+  for (const Triple& triangle : search.result.dual.triangles)
+  {
+    if (core[triangle[0]] || core[triangle[1]] || core[triangle[2]])
+    {
+      chosen[triangle[0]] = chosen[triangle[1]] = chosen[triangle[2]] = 1;
+    }
+  }
+  std::vector<char> sites(static_cast<std::size_t>(search.result.sites.count()), 0);
+  for (Index k = 0; k < components.count(); ++k)
+  {
+    sites[components.sites[k]] |= chosen[k];
+  }
+  return sites;
+}
+
+/** Lloyd's step for some sites: all others, and so the mesh elsewhere, stay. */
+Status settle(Search& search, const std::vector<char>& moves, const RunControl& control)
+{
+  Sites& sites = search.result.sites;
+  RestrictedVoronoi voronoi(search.surface);
+  for (int step = 0; step < settlingSteps; ++step)
+  {
+    CellSums sums;
+    if (Status status = voronoi.integrate(sites, control.step(step, settlingSteps), sums);
+        !status.ok())
+    {
+      return status;
+    }
+    for (Index i = sites.fixed; i < sites.count(); ++i)
+    {
+      if (moves[i] && sums.mass[i] > 0.0)
+      {
+        double* x = sites.site(i);
+        const double* moment = sums.moment.data() + static_cast<std::size_t>(i) * sites.dimension;
+        for (int k = 0; k < sites.dimension; ++k)
+        {
+          x[k] += moment[k] / sums.mass[i];
+        }
+      }
+    }
+  }
+  roundToCaller(search.surface, sites);
+  search.result.evaluations += voronoi.evaluations();
+  return Status::success();
+}
+
+/** Adds sites and makes the mesh anew. */
+Status refine(Search& search, const std::vector<Excess>& excess, const std::vector<double>& added,
+  RunControl control)
+{
+  RemeshResult& result = search.result;
+  std::vector<char> moves = sitesAround(search, excess);
+  result.sites.coordinates.insert(result.sites.coordinates.end(), added.begin(), added.end());
+  result.movedSites += result.sites.count() - static_cast<Index>(moves.size());
+  moves.resize(static_cast<std::size_t>(result.sites.count()), 1);
+  control.enterPhase("Refinement", 0.0, 0.3);
+  Status status = settle(search, moves, control);
+  return status.ok() ? completeMesh(search.mesh, search.surface, search.options,
+                         control.part(0.3, 1.0), result, search.features)
+                     : status;
+}
+}
+
+Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
+  const DistanceOptions& options, const RunControl& control, TwoSidedDistance& distance)
+{
+  return measureTwoSidedDistance(
+    trianglesOf(result), trianglesOf(mesh), options, control, distance);
+}
+
+Offset numberForTolerance(const NumberTrial& pilot, const ToleranceOptions& options)
+{
+  const double estimate =
+    static_cast<double>(pilot.number) * pilot.mean / (meanOfTolerance * options.tolerance);
+  const double least = std::max(4.0, static_cast<double>(pilot.leastNumber) / mostOnFeatures);
+  return static_cast<Offset>(
+    std::min(std::max(estimate, least), static_cast<double>(options.mostPoints)));
+}
+
+Status refineToTolerance(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, const ToleranceOptions& tolerance, RunControl control,
+  RemeshResult& result, const Features* features, ToleranceOutcome& outcome)
+{
+  Search search{ mesh, surface, options, tolerance, features, result,
+    TriangleTree(trianglesOf(mesh), control) };
+  std::vector<Excess> excess;
+  auto fewest = std::numeric_limits<std::size_t>::max();
+  int idle = 0;
+  control.enterPhase("Refinement", 0.0, 1.0);
+  for (int round = 0;; ++round)
+  {
+    // Each round fills half of the progress that is left.
+    control = control.part(0.0, 1.0);
+    control.enterPhase("Distance", 0.0, 0.1);
+    if (Status status = findExcess(search, control, excess); !status.ok())
+    {
+      return status;
+    }
+    idle = excess.size() < fewest ? 0 : idle + 1;
+    fewest = std::min(fewest, excess.size());
+    const Offset room = tolerance.mostPoints - result.components.count();
+    if (excess.empty() || room <= 0 || idle == mostIdleRounds || round == tolerance.mostRounds)
+    {
+      outcome = excess.empty() ? ToleranceOutcome::Kept
+        : room <= 0            ? ToleranceOutcome::TooManyPoints
+                               : ToleranceOutcome::Stuck;
+      return Status::success();
+    }
+    const std::vector<double> added = newSites(search, excess, room);
+    if (Status status = refine(search, excess, added, control.part(0.1, 0.5)); !status.ok())
+    {
+      return status;
+    }
+    control = control.part(0.5, 1.0);
+  }
+}
+}

@@ -1,0 +1,64 @@
+/**
+ * @file ToleranceSearch.h
+ * @brief A mesh within a distance of the surface, with as many points as that takes.
+ *
+ * 1. A pilot run with few points; the mean distance falls as 1 over their number, which gives the
+ *    number for which it is a third of the tolerance: then most of the mesh is within it.
+ * 2. That run. With nothing beyond the tolerance, further ones with fewer points, until there is.
+ * 3. Where the mesh or the surface is beyond (DistanceLimit.h), sites are added, one in each cell;
+ *    two Lloyd steps, diagram, dual and placement follow; again until nothing is beyond.
+ *
+ * So the points that single places take are put there, and not spread over the whole surface.
+ */
+#ifndef remesh_ToleranceSearch_h
+#define remesh_ToleranceSearch_h
+
+#include "Comparison/SurfaceDistance.h"
+#include "Remesh.h"
+
+#include <functional>
+
+namespace remesh
+{
+struct ToleranceOptions
+{
+  double tolerance = 0.0;      ///< above 0, in the unit of the points
+  Offset mostPoints = 1000000; ///< that the mesh may have
+  int mostRounds = 30;         ///< of step 3
+};
+
+enum class ToleranceOutcome
+{
+  Kept,
+  TooManyPoints, ///< it would take more than allowed
+  Stuck          ///< further points do not help
+};
+
+/** Both surfaces as they are compared: the one after intake, and the mesh. */
+Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
+  const DistanceOptions& options, const RunControl& control, TwoSidedDistance& distance);
+
+/** What is known of a run when the number for the next one is chosen. */
+struct NumberTrial
+{
+  Offset number = 0;      ///< of points
+  double mean = 0.0;      ///< distance, the larger of both ways
+  Offset leastNumber = 0; ///< that features take
+};
+
+/** Step 1: the number after the pilot. */
+Offset numberForTolerance(const NumberTrial& pilot, const ToleranceOptions& options);
+
+/**
+ * Step 3, on the result of a run with the same surface, options and features.
+ *
+ * @param options `exactNumber` must be off: points are added.
+ * @return Cancelled, InvalidInput if the mesh has no area, or success, whatever the outcome.
+ * Cost: a round takes about as much as three steps of the optimisation and the measuring.
+ */
+Status refineToTolerance(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, const ToleranceOptions& tolerance, RunControl control,
+  RemeshResult& result, const Features* features, ToleranceOutcome& outcome);
+}
+
+#endif

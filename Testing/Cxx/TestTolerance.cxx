@@ -1,0 +1,203 @@
+// DistanceTolerance: kept, with few points; told where it cannot be; the same bytes; abort.
+
+#include "TestBytes.h"
+
+#include "vtkAnisotropicRemesher.h"
+#include "vtkSurfaceMeshComparison.h"
+
+#include <limits>
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+vtkSmartPointer<vtkAnisotropicRemesher> filterOf(vtkPolyData* input, double tolerance)
+{
+  auto filter = vtkSmartPointer<vtkAnisotropicRemesher>::New();
+  filter->SetInputData(input);
+  filter->SetDistanceTolerance(tolerance);
+  return filter;
+}
+
+/** A field value of port 0. */
+double fact(vtkAnisotropicRemesher* filter, const char* name)
+{
+  const auto array = arrayOf(filter->GetOutput()->GetFieldData(), name);
+  return array->GetNumberOfTuples() == 1 ? array->GetComponent(0, 0)
+                                         : std::numeric_limits<double>::quiet_NaN();
+}
+
+double diagonalOf(vtkPolyData* input)
+{
+  double bounds[6];
+  input->GetBounds(bounds);
+  return Point3(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]).norm();
+}
+
+/** What the comparison finds: reached distance, its bound, RMS. */
+Point3 comparison(vtkPolyData* mesh, vtkPolyData* reference)
+{
+  vtkNew<vtkSurfaceMeshComparison> filter;
+  filter->SetInputData(mesh);
+  filter->SetReferenceData(reference);
+  filter->Update();
+  vtkTable* summary = filter->GetSummaryOutput();
+  const auto value = [&](const char* column)
+  { return summary->GetValueByName(0, column).ToDouble(); };
+  return { value("MaximumDistance"), value("MaximumDistanceBound"), value("RMSDistance") };
+}
+
+/** Kept as the comparison measures it, without a warning; returns the number of points. */
+vtkIdType checkKept(vtkPolyData* input, double tolerance)
+{
+  const auto filter = filterOf(input, tolerance);
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty());
+  check(messages.warnings().empty(), __FILE__, __LINE__,
+    messages.warnings().empty() ? "" : messages.warnings()[0]);
+  const double limit = tolerance * diagonalOf(input);
+  const Point3 found = comparison(filter->GetOutput(), input);
+  CHECK(found[0] <= limit);
+  CHECK(fact(filter, "MaximumDistance") <= limit);
+  CHECK(fact(filter, "MaximumDistance") >= found[0] * (1.0 - 1e-9));
+  CHECK_NEAR(fact(filter, "RMSDistance"), found[2], 0.05 * found[2] + 1e-6 * limit);
+  return filter->GetOutput()->GetNumberOfPoints();
+}
+
+/**
+ * A sphere needs the same spacing everywhere: no points are saved by putting them where they count,
+ * and a third less of them, spread evenly, do not keep the tolerance.
+ */
+void testSphere()
+{
+  const auto input = polyDataOf(icosphere(5));
+  const vtkIdType points = checkKept(input, 1e-3);
+  const auto fewer = filterOf(input, 0.0);
+  fewer->SetNumberOfPoints(points * 2 / 3);
+  fewer->Update();
+  CHECK(comparison(fewer->GetOutput(), input)[0] > 1e-3 * diagonalOf(input));
+  // Triangles of circumradius r have a sagitta of r^2 / 2, half of it to either side of the sphere
+  // at best, and a point has 3 / 2 sqrt(3) r^2 of the area.
+  CHECK(points > 0.9 * 4.0 * pi / (6.0 * std::sqrt(3.0) * 1e-3 * diagonalOf(input)));
+}
+
+/** Creases are no matter where they are kept: a few points do. */
+void testBox()
+{
+  TriangleSoup soup = cube();
+  CHECK(checkKept(polyDataOf(soup), 1e-4) < 100);
+}
+
+void testAbsolute()
+{
+  const auto input = polyDataOf(ellipsoid(4));
+  const auto relative = filterOf(input, 2e-3);
+  relative->Update();
+  const auto absolute = filterOf(input, 2e-3 * diagonalOf(input));
+  absolute->DistanceToleranceIsAbsoluteOn();
+  absolute->SetNumberOfThreads(1);
+  absolute->SetSMPBackend(vtkAnisotropicRemesher::SMP_SEQUENTIAL);
+  absolute->SetNumberOfPoints(3); // does not count
+  absolute->Update();
+  checkSame(contentsOf(absolute), contentsOf(relative), "absolute, one thread");
+  const auto loose = filterOf(input, 2e-2);
+  loose->Update();
+  CHECK(loose->GetOutput()->GetNumberOfPoints() < relative->GetOutput()->GetNumberOfPoints());
+}
+
+/** Creases that are cut across: not with so few points, and that is told. */
+void testImpossible()
+{
+  TriangleSoup soup = cube();
+  const auto filter = filterOf(polyDataOf(soup), 1e-4);
+  filter->PreserveFeaturesOff();
+  filter->SetMaximumNumberOfPoints(200);
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty());
+  CHECK_EQUAL(messages.warnings().size(), std::size_t(1));
+  for (const std::string& warning : messages.warnings())
+  {
+    CHECK(warning.find("above the tolerance") != std::string::npos);
+    CHECK(warning.find("more than the 200 points allowed") != std::string::npos);
+  }
+  CHECK(filter->GetOutput()->GetNumberOfPoints() > 100);
+  const double reached = fact(filter, "MaximumDistance");
+  const Point3 found = comparison(filter->GetOutput(), filter->GetPolyDataInput(0));
+  CHECK(reached > 1e-4 * std::sqrt(3.0));
+  CHECK(reached >= found[0] * (1.0 - 1e-9));
+}
+
+void testErrors()
+{
+  for (const double tolerance : { 1e-8, 1e-300 })
+  {
+    const auto filter = filterOf(polyDataOf(icosphere(2)), tolerance);
+    Messages messages(filter);
+    filter->Update();
+    CHECK_EQUAL(messages.errors().size(), std::size_t(1));
+    CHECK(!messages.errors().empty() &&
+      messages.errors()[0].find("at least 1e-7") != std::string::npos);
+    CHECK(outputsAreEmpty(filter));
+  }
+  // None without a tolerance.
+  const auto plain = filterOf(polyDataOf(icosphere(2)), 0.0);
+  plain->SetNumberOfPoints(100);
+  plain->Update();
+  CHECK(!plain->GetOutput()->GetFieldData()->HasArray("MaximumDistance"));
+}
+
+/** Progress rises to 1; an abort at any part of the search leaves nothing behind. */
+void testProgressAndAbort()
+{
+  const auto filter = filterOf(polyDataOf(ellipsoid(3)), 2e-3);
+  struct Watch
+  {
+    vtkAlgorithm* Algorithm;
+    double Last = 0.0;
+    double AbortAt = 2.0;
+  } watch{ filter };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* value)
+    {
+      auto* self = static_cast<Watch*>(data);
+      const double progress = *static_cast<double*>(value);
+      CHECK(progress >= self->Last);
+      self->Last = progress;
+      if (progress >= self->AbortAt)
+      {
+        self->Algorithm->SetAbortExecute(1);
+      }
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, command);
+  filter->Update();
+  CHECK_EQUAL(watch.Last, 1.0);
+  CHECK(filter->GetOutput()->GetNumberOfPoints() > 0);
+  for (const double moment : { 0.02, 0.08, 0.3, 0.61, 0.7, 0.95 })
+  {
+    watch.Last = 0.0;
+    watch.AbortAt = moment;
+    Messages messages(filter);
+    filter->Modified();
+    filter->Update();
+    filter->SetAbortExecute(0);
+    check(outputsAreEmpty(filter), __FILE__, __LINE__, "abort at " + std::to_string(moment));
+    CHECK(messages.errors().empty() && messages.warnings().empty());
+  }
+}
+}
+
+int TestTolerance(int, char*[])
+{
+  testSphere();
+  testBox();
+  testAbsolute();
+  testImpossible();
+  testErrors();
+  testProgressAndAbort();
+  return result();
+}
