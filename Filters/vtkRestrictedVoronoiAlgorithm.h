@@ -5,7 +5,7 @@
  * | port | data | arrays |
  * |---|---|---|
  * | 0 `Surface` | triangles, the restricted Delaunay triangulation: one point per connected component of a restricted cell, placed by `VertexPlacement` | point: `SiteId`, `ComponentId`, `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays; cell: the input's cell arrays |
- * | 1 `VoronoiCells` | convex polygons, one per facet and site | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`, `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` |
+ * | 1 `VoronoiCells` | convex polygons, one per facet and site (none where ties leave a point) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`, `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` |
  * | 2 `Sites` | one vertex per site | point: `SiteId`, `MergedSiteId`, `PatchId`, `Weight`, `Embedding`, `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors` |
  * | 3 `Convergence` | vtkTable | `Iteration`, `Energy`, `GradientNorm`, `StepLength`, `Time` (s) |
  * | 4 `Edges` | lines | cell: `EdgeType` (0 between two cells, 1 feature, 2 boundary, 3 non-manifold), `SiteId` (2 components, -1 for none) |

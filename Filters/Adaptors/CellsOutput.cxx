@@ -39,32 +39,111 @@ void addEmbedding(const DiagramSource& source, const DiagramPoints& points, vtkP
     });
 }
 
-void addPieceArrays(const DiagramSource& source, vtkCellData* data)
+/**
+ * The pieces that become polygons. Where cells tie, the symbolic perturbation leaves pieces that
+ * lie in one point: right in the diagram, but no polygons.
+ */
+class DrawnPieces
+{
+public:
+  DrawnPieces(const DiagramSource& source, const DiagramPoints& points, vtkPoints* places)
+    : m_diagram(source.result.diagram)
+  {
+    const auto isDrawn = [&](Offset piece)
+    {
+      const Offset end = m_diagram.vertexBegin[piece + 1];
+      const Offset first = m_diagram.vertexBegin[piece];
+      const auto at = [&](Offset vertex)
+      { return Point3::Map(this->coordinates(places) + 3 * points.ofVertex[vertex]); };
+      Offset v = first + 1;
+      while (v < end && at(v) == at(first))
+      {
+        ++v;
+      }
+      return v < end;
+    };
+    static_cast<void>(packItems(
+      m_diagram.numberOfPieces(), source.control, isDrawn,
+      [&](Offset count) { m_pieces.resize(static_cast<std::size_t>(count)); },
+      [&](Offset piece, Offset number) { m_pieces[number] = piece; }));
+    if (this->count() == m_diagram.numberOfPieces())
+    {
+      m_pieces = std::vector<Offset>(); // all, as nearly always
+      m_all = true;
+    }
+  }
+
+  Offset count() const
+  {
+    return m_all ? m_diagram.numberOfPieces() : static_cast<Offset>(m_pieces.size());
+  }
+  Offset operator[](Offset polygon) const { return m_all ? polygon : m_pieces[polygon]; }
+
+private:
+  static const double* coordinates(vtkPoints* places)
+  {
+    return static_cast<const double*>(places->GetVoidPointer(0));
+  }
+
+  const Diagram& m_diagram;
+  std::vector<Offset> m_pieces;
+  bool m_all = false;
+};
+
+vtkSmartPointer<vtkCellArray> makePolygons(
+  const Diagram& diagram, const DiagramPoints& points, const DrawnPieces& drawn)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(drawn.count() + 1);
+  vtkIdType* begins = offsets->GetPointer(0);
+  begins[0] = 0;
+  for (Offset polygon = 0; polygon < drawn.count(); ++polygon)
+  {
+    const Offset piece = drawn[polygon];
+    begins[polygon + 1] =
+      begins[polygon] + diagram.vertexBegin[piece + 1] - diagram.vertexBegin[piece];
+  }
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(begins[drawn.count()]);
+  vtkIdType* id = connectivity->GetPointer(0);
+  for (Offset polygon = 0; polygon < drawn.count(); ++polygon)
+  {
+    const Offset piece = drawn[polygon];
+    id = std::copy(points.ofVertex.begin() + diagram.vertexBegin[piece],
+      points.ofVertex.begin() + diagram.vertexBegin[piece + 1], id);
+  }
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  polygons->SetData(offsets, connectivity);
+  return polygons;
+}
+
+void addPieceArrays(const DiagramSource& source, const DrawnPieces& drawn, vtkCellData* data)
 {
   const Diagram& diagram = source.result.diagram;
-  const Columns columns{ data, diagram.numberOfPieces(), source.control };
-  const auto site = [&](Offset piece) { return diagram.sites[piece]; };
+  const Columns columns{ data, drawn.count(), source.control };
+  const auto site = [&](Offset polygon) { return diagram.sites[drawn[polygon]]; };
   columns.add<vtkIdTypeArray>("SiteId", site);
   columns.add<vtkIdTypeArray>("MergedSiteId",
-    [&](Offset piece) { return source.result.featureSites.mergedSite(site(piece)); });
+    [&](Offset polygon) { return source.result.featureSites.mergedSite(site(polygon)); });
   const Components& components = source.result.components;
+  columns.add<vtkIdTypeArray>("ComponentId",
+    [&](Offset polygon) { return components.ranks[components.ofPiece[drawn[polygon]]]; });
   columns.add<vtkIdTypeArray>(
-    "ComponentId", [&](Offset piece) { return components.ranks[components.ofPiece[piece]]; });
-  columns.add<vtkIdTypeArray>(
-    "PatchId", [&](Offset piece) { return source.patchOfFacet(diagram.facets[piece]); });
+    "PatchId", [&](Offset polygon) { return source.patchOfFacet(diagram.facets[drawn[polygon]]); });
   columns.add<vtkIdTypeArray>("InputCellId",
-    [&](Offset piece) { return source.prepared.mesh.facetInputCells[diagram.facets[piece]]; });
+    [&](Offset polygon)
+    { return source.prepared.mesh.facetInputCells[diagram.facets[drawn[polygon]]]; });
   const CellSums& sums = source.result.sums;
-  columns.add<vtkDoubleArray>("CellArea", [&](Offset piece) { return sums.area[site(piece)]; });
-  columns.add<vtkDoubleArray>(
-    "CellMass", [&](Offset piece) { return source.siteMass()[site(piece)] * source.massUnit(); });
+  columns.add<vtkDoubleArray>("CellArea", [&](Offset polygon) { return sums.area[site(polygon)]; });
+  columns.add<vtkDoubleArray>("CellMass",
+    [&](Offset polygon) { return source.siteMass()[site(polygon)] * source.massUnit(); });
   columns.add<vtkDoubleArray>("CellEnergy",
-    [&](Offset piece) { return source.siteEnergy()[site(piece)] * source.energyUnit(); });
+    [&](Offset polygon) { return source.siteEnergy()[site(polygon)] * source.energyUnit(); });
   if (source.hasDensity())
   {
     columns.add<vtkDoubleArray>("CellWeightedMass",
-      [&](Offset piece)
-      { return sums.mass[site(piece)] * source.massUnit() * source.densityUnit(); });
+      [&](Offset polygon)
+      { return sums.mass[site(polygon)] * source.massUnit() * source.densityUnit(); });
   }
 }
 
@@ -166,16 +245,9 @@ void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
   output->SetPoints(makePoints(
     static_cast<Offset>(points.points.size()),
     [&](Offset k) { return placeOf(source.prepared.mesh, points.points[k]); }, source.control));
-  vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(diagram.numberOfPieces() + 1);
-  std::copy(diagram.vertexBegin.begin(), diagram.vertexBegin.end(), offsets->GetPointer(0));
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(points.ofVertex.size()));
-  std::copy(points.ofVertex.begin(), points.ofVertex.end(), connectivity->GetPointer(0));
-  vtkNew<vtkCellArray> polygons;
-  polygons->SetData(offsets, connectivity);
-  output->SetPolys(polygons);
-  addPieceArrays(source, output->GetCellData());
+  const DrawnPieces drawn(source, points, output->GetPoints());
+  output->SetPolys(makePolygons(diagram, points, drawn));
+  addPieceArrays(source, drawn, output->GetCellData());
   if (source.dimension() <= embeddingDimension)
   {
     addEmbedding(source, points, output->GetPointData());

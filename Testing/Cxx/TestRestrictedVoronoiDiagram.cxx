@@ -17,8 +17,8 @@ vtkSmartPointer<vtkRestrictedVoronoiDiagram> run(
   vtkPolyData* surface, vtkDataObject* sites, bool gaussMap = false)
 {
   auto filter = vtkSmartPointer<vtkRestrictedVoronoiDiagram>::New();
-  filter->SetEmbeddingMode(gaussMap ? vtkRestrictedVoronoiDiagram::GAUSS_MAP
-                                    : vtkRestrictedVoronoiDiagram::POSITION);
+  filter->SetEmbeddingMode(
+    gaussMap ? vtkRestrictedVoronoiDiagram::GAUSS_MAP : vtkRestrictedVoronoiDiagram::POSITION);
   filter->SetInputData(surface);
   filter->SetSitesData(sites);
   filter->Update();
@@ -38,8 +38,7 @@ void checkCommon(vtkRestrictedVoronoiDiagram* filter, vtkPolyData* surface, vtkP
   CHECK_EQUAL(sites->GetNumberOfPoints(), given->GetNumberOfPoints());
   CHECK_NEAR(sumOf(arrayOf(sites->GetPointData(), "CellArea")), area, 1e-12 * area);
   CHECK_NEAR(areaOf(filter->GetVoronoiCellsOutput()), area, 1e-12 * area);
-  CHECK_NEAR(
-    sumOf(arrayOf(filter->GetOutput()->GetPointData(), "CellArea")), area, 1e-12 * area);
+  CHECK_NEAR(sumOf(arrayOf(filter->GetOutput()->GetPointData(), "CellArea")), area, 1e-12 * area);
   std::set<double> nonEmpty;
   for (vtkIdType i = 0; i < sites->GetNumberOfPoints(); ++i)
   {
@@ -69,6 +68,40 @@ void checkCommon(vtkRestrictedVoronoiDiagram* filter, vtkPolyData* surface, vtkP
   CHECK_EQUAL(arrayOf(table->GetRowData(), "Iteration")->GetComponent(0, 0), 0.0);
   CHECK_EQUAL(filter->GetNumberOfIterations(), 0);
   CHECK_EQUAL(filter->GetNumberOfEvaluations(), 1);
+}
+
+/** Sites on a square grid: where four cells meet, what the perturbation leaves is no polygon. */
+void testTies()
+{
+  const auto surface = polyDataOf(gridPatch(16, 16));
+  double bounds[6];
+  surface->GetBounds(bounds);
+  std::vector<Point3> places;
+  for (int k = 0; k < 64; ++k)
+  {
+    const double u = (k % 8 + 0.5) / 8.0;
+    const double v = (k / 8 + 0.5) / 8.0;
+    places.emplace_back(
+      bounds[0] + u * (bounds[1] - bounds[0]), bounds[2] + v * (bounds[3] - bounds[2]), bounds[4]);
+  }
+  const auto sites = pointsOnly(places);
+  const auto filter = run(surface, sites);
+  checkCommon(filter, surface, sites);
+  vtkPolyData* cells = filter->GetVoronoiCellsOutput();
+  CHECK(cells->GetNumberOfPolys() > 0);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellPoints(cell, ids);
+    std::set<std::array<double, 3>> corners;
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      std::array<double, 3> x;
+      cells->GetPoint(ids->GetId(k), x.data());
+      corners.insert(x);
+    }
+    CHECK(corners.size() > 1);
+  }
 }
 
 /** A site in the middle of each face of a cube, in a shuffled order: each face is a cell. */
@@ -117,8 +150,7 @@ void testEmbeddingOrProjection()
   }
 
   // The same points as places in R^3: the bisector of the first two is z = 1/2, the third is empty.
-  addPointArray<vtkDoubleArray>(
-    sites, "Embedding", 3, [](const Point3& p, int c) { return p[c]; });
+  addPointArray<vtkDoubleArray>(sites, "Embedding", 3, [](const Point3& p, int c) { return p[c]; });
   const auto placed = run(surface, sites);
   checkCommon(placed, surface, sites);
   CHECK_NEAR(valueOf(placed, "CellArea", 0), 3.0, 1e-14);
@@ -206,8 +238,8 @@ void testRoundTrip(const TriangleSoup& soup, double anisotropy, const char* wher
   for (const int port : { vtkAnisotropicRemesher::SURFACE, vtkAnisotropicRemesher::VORONOI_CELLS,
          vtkAnisotropicRemesher::SITES, vtkAnisotropicRemesher::EDGES })
   {
-    checkSame(contents[port], expected[port], where + std::string(", port ") +
-        std::to_string(port));
+    checkSame(
+      contents[port], expected[port], where + std::string(", port ") + std::to_string(port));
   }
 }
 }
@@ -215,6 +247,7 @@ void testRoundTrip(const TriangleSoup& soup, double anisotropy, const char* wher
 int TestRestrictedVoronoiDiagram(int, char*[])
 {
   testCubeFaces();
+  testTies();
   testEmbeddingOrProjection();
   testFewSites();
   testKindsOfSites();

@@ -80,7 +80,6 @@ void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surfa
 {
   LongerLists longer;
   CornerReader<D> reader(surface);
-  Index last = noIndex; // the corner before is near
   for (Index corner = begin; corner < end; ++corner)
   {
     Index owner = m_owners[corner];
@@ -96,7 +95,7 @@ void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surfa
     const double* point = reader.corner(corner);
     if (owner == noIndex)
     {
-      owner = last != noIndex ? last : lists.search().nearest(point);
+      owner = lists.search().nearest(point);
     }
     Nearer nearer;
     do
@@ -111,7 +110,6 @@ void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surfa
     {
       m_squared[corner] = nearer.owned;
     }
-    last = owner;
   }
 }
 
