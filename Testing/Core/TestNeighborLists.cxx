@@ -28,7 +28,7 @@ void checkWalk(
   int wrong = 0;
   double last = -std::numeric_limits<double>::infinity();
   NeighborWalk walk(lists, longer, site);
-  while (walk.next())
+  while (walk.next([](double) { return false; }))
   {
     const double distance = distanceBetween(sites, site, walk.site());
     const double bound = walk.leastDistance();
@@ -98,6 +98,37 @@ void testTies()
   checkSites(sites, 50);
 }
 
+/** Few sites far from many, as in a small patch: their lists stop at the limit, the walks do not.
+ */
+void testLimit()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(2)), 3);
+  Sites sites = test::sampled(surface, 300, 4);
+  for (Index site = 0; site < 5; ++site)
+  {
+    sites.site(site)[2] += 16.0;
+  }
+  NeighborLists lists(8.0);
+  for (int step = 0; step < 3; ++step) // the second time, the last reach tells how far to look
+  {
+    CHECK(lists.build(sites, RunControl()).ok());
+    CHECK_EQUAL(lists.list(0).count, 4);
+    CHECK_EQUAL(lists.reach(0), 8.0);
+    CHECK(lists.list(100).count > 4);
+  }
+  checkAllWalks(sites, lists, 7, true);
+  const double inPatch = 4.0;
+  LongerLists longer;
+  NeighborWalk walk(lists, longer, 0);
+  int steps = 0;
+  while (walk.next([=](double least) { return least > inPatch; }))
+  {
+    ++steps;
+  }
+  CHECK_EQUAL(steps, 4);
+  CHECK_EQUAL(walk.leastDistance(), 8.0);
+}
+
 /** Sites that creep, then jump, then grow in number: the lists stay valid, kept or built anew. */
 void testMovingSites()
 {
@@ -127,6 +158,7 @@ int TestNeighborLists(int, char*[])
 {
   testRandomSites();
   testTies();
+  testLimit();
   testMovingSites();
   return test::result();
 }

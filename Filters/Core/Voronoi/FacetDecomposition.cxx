@@ -152,12 +152,10 @@ void FacetDecomposition<D>::clipWithNeighbors(FacetPiece& piece)
   { return m_security.roundUp(m_tiling.squaredRadius(piece.polygon, piece.slot), reach2); };
   double radius = radiusNow();
   NeighborWalk walk(m_lists, m_longer, site.id);
-  while (walk.next())
+  const auto excludes = [&](double least)
+  { return m_security.excludes(least, radius, reach) || piece.polygon.empty(); };
+  while (walk.next(excludes))
   {
-    if (m_security.excludes(walk.leastDistance(), radius, reach) || piece.polygon.empty())
-    {
-      return;
-    }
     if (m_tiling.clip(piece.polygon, piece.slot, this->slotOf(walk.site())))
     {
       radius = radiusNow();

@@ -27,7 +27,6 @@ constexpr double leastReach = 1.6;
 constexpr double mostWorn = 0.02;
 /** Covers the rounding of the distances that the displacements are compared with. */
 constexpr double aboveRounding = 1.0 + 1e-12;
-constexpr double never = std::numeric_limits<double>::infinity();
 
 float roundedDown(double value)
 {
@@ -136,7 +135,7 @@ void NeighborLists::buildList(Index site, bool known, std::vector<Neighbor>& fou
   if (known)
   {
     // In two dimensions the number of sites grows with the square of the radius.
-    radius = place.reach * std::sqrt(wantedWithin / (place.count + 1.0));
+    radius = std::min(m_limit, place.reach * std::sqrt(wantedWithin / (place.count + 1.0)));
     m_search->within(m_built.site(site), radius, found);
     found.erase(std::remove_if(found.begin(), found.end(),
                   [site](const Neighbor& neighbor) { return neighbor.site == site; }),
@@ -144,8 +143,8 @@ void NeighborLists::buildList(Index site, bool known, std::vector<Neighbor>& fou
   }
   if (found.size() < std::min(fewestWithin, length))
   {
-    m_search->neighbors(site, m_length + 1, found);
-    radius = found.size() > length ? found.back().distance : never;
+    m_search->neighbors(site, m_length + 1, m_limit, found);
+    radius = found.size() > length ? found.back().distance : m_limit;
   }
   else
   {
@@ -203,7 +202,8 @@ const std::vector<Neighbor>& LongerLists::longerThan(
   {
     const Offset doubled = 2 * static_cast<Offset>(count) + 2;
     const Offset all = lists.search().numberOfSites();
-    lists.search().neighbors(site, static_cast<Index>(std::min(doubled, all)), list);
+    lists.search().neighbors(site, static_cast<Index>(std::min(doubled, all)),
+      std::numeric_limits<double>::infinity(), list);
   }
   return list;
 }

@@ -21,6 +21,7 @@
 #include "Voronoi/NeighborSearch.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -38,7 +39,11 @@ struct NeighborList
 class NeighborLists
 {
 public:
-  NeighborLists() = default;
+  /** @param limit no site this far or farther is put into a list: it is another patch's. */
+  explicit NeighborLists(double limit = std::numeric_limits<double>::infinity())
+    : m_limit(limit)
+  {
+  }
   NeighborLists(const NeighborLists&) = delete; // the tree points into this object
   NeighborLists& operator=(const NeighborLists&) = delete;
 
@@ -90,6 +95,7 @@ private:
   bool worn() const;
   void buildList(Index site, bool known, std::vector<Neighbor>& found);
 
+  double m_limit;
   Sites m_built; ///< the sites when the lists were built
   std::optional<NeighborSearch> m_search;
   std::vector<Index> m_ids;       ///< n x length
@@ -131,11 +137,31 @@ public:
   {
   }
 
-  /** Steps to the next neighbour; false when there is none. */
-  bool next()
+  /**
+   * Steps to the next neighbour; false when there is none, or `excludes(distance)` rules out all
+   * sites from the next one's least distance on.
+   */
+  template <class Excludes>
+  bool next(const Excludes& excludes)
   {
     ++m_current;
-    return m_current < m_count || this->extend();
+    if (m_current == m_count)
+    {
+      m_least = m_extended ? 0.0 : m_lists.reach(m_site);
+      if (m_least > 0.0 && excludes(m_least))
+      {
+        return false;
+      }
+      if (!this->extend())
+      {
+        m_least = std::numeric_limits<double>::infinity();
+        return false;
+      }
+    }
+    m_least = m_extended ? (*m_extended)[m_current].distance - m_lists.approach(m_site)
+                         : std::min(m_list.distances[m_current] - m_lists.approachOfListed(m_site),
+                             m_lists.reach(m_site));
+    return !excludes(m_least);
   }
 
   Index site() const
@@ -143,13 +169,8 @@ public:
     return m_extended ? (*m_extended)[m_current].site : m_list.sites[m_current];
   }
 
-  /** No site from here on is nearer than this. */
-  double leastDistance() const
-  {
-    return m_extended ? (*m_extended)[m_current].distance - m_lists.approach(m_site)
-                      : std::min(m_list.distances[m_current] - m_lists.approachOfListed(m_site),
-                          m_lists.reach(m_site));
-  }
+  /** No site from here on is nearer than this; infinity at the end of all. */
+  double leastDistance() const { return m_least; }
 
 private:
   bool extend();
@@ -160,6 +181,7 @@ private:
   NeighborList m_list;
   const std::vector<Neighbor>* m_extended = nullptr; ///< instead of the list
   Index m_current = -1;
+  double m_least = 0.0;
   Index m_count; ///< of what is walked through
 };
 }

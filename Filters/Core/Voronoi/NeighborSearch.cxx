@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace remesh
 {
@@ -51,9 +52,10 @@ class NeighborSearch::Forest
 {
 public:
   virtual ~Forest() = default;
-  /** Ids and squared distances of the nearest `count` sites; returns how many there are. */
-  virtual std::size_t search(
-    const double* point, std::size_t count, std::uint32_t* ids, double* squared) const = 0;
+  /** Ids and squared distances of the nearest `count` sites in reach; returns how many there are.
+   */
+  virtual std::size_t search(const double* point, std::size_t count, double squaredLimit,
+    std::uint32_t* ids, double* squared) const = 0;
   virtual void search(const double* point, WithinRadius& result) const = 0;
 };
 
@@ -121,6 +123,20 @@ class NeighborSearch::ForestOf : public NeighborSearch::Forest
     }
   };
 
+  /** Nothing beyond a limit is looked at: far from all others, a site would else look at them all.
+   */
+  template <class Set>
+  struct NearestInReach
+  {
+    Set set;
+    double squaredLimit;
+
+    bool addPoint(double squared, Index32 id) { return this->set.addPoint(squared, id); }
+    double worstDist() const { return std::min(this->set.worstDist(), this->squaredLimit); }
+    std::size_t size() const { return this->set.size(); }
+    bool full() const { return true; }
+  };
+
   /** Turns the ids of one tree into those of the sites. */
   template <class Set>
   struct Shifted
@@ -154,11 +170,11 @@ public:
     static_cast<void>(done);
   }
 
-  std::size_t search(
-    const double* point, std::size_t count, std::uint32_t* ids, double* squared) const override
+  std::size_t search(const double* point, std::size_t count, double squaredLimit,
+    std::uint32_t* ids, double* squared) const override
   {
-    nanoflann::KNNResultSet<double, Index32> nearest(count);
-    nearest.init(ids, squared);
+    NearestInReach<nanoflann::KNNResultSet<double, Index32>> nearest{ { count }, squaredLimit };
+    nearest.set.init(ids, squared);
     this->searchTrees(point, nearest);
     return nearest.size();
   }
@@ -225,17 +241,18 @@ Index NeighborSearch::nearest(const double* point) const
 {
   std::uint32_t id = 0;
   double squared = 0.0;
-  m_forest->search(point, 1, &id, &squared);
+  m_forest->search(point, 1, std::numeric_limits<double>::infinity(), &id, &squared);
   return static_cast<Index>(id);
 }
 
-void NeighborSearch::neighbors(Index site, Index count, std::vector<Neighbor>& result) const
+void NeighborSearch::neighbors(
+  Index site, Index count, double limit, std::vector<Neighbor>& result) const
 {
   const auto wanted = static_cast<std::size_t>(std::min(count, this->numberOfSites() - 1)) + 1;
   std::vector<std::uint32_t> ids(wanted);
   std::vector<double> squared(wanted);
   const std::size_t found =
-    m_forest->search(m_sites->site(site), wanted, ids.data(), squared.data());
+    m_forest->search(m_sites->site(site), wanted, limit * limit, ids.data(), squared.data());
   result.clear();
   for (std::size_t k = 0; k < found; ++k)
   {

@@ -32,9 +32,10 @@ public:
 
   /**
    * The `count` sites nearest to a site, itself left out, by increasing distance (fewer if there
-   * are no more). The order among equal distances is fixed but arbitrary.
+   * are no more that are nearer than `limit`). The order among equal distances is fixed but
+   * arbitrary.
    */
-  void neighbors(Index site, Index count, std::vector<Neighbor>& result) const;
+  void neighbors(Index site, Index count, double limit, std::vector<Neighbor>& result) const;
 
   /** The sites nearer to a point of R^d than `radius`, in an order that is fixed but arbitrary. */
   void within(const double* point, double radius, std::vector<Neighbor>& result) const;

@@ -41,15 +41,9 @@ Nearer findNearer(const double* point, Index owner, const Sites& sites, const Ne
   result.owned = squaredDistance<D>(sites.site(owner), point, d);
   const double radius = std::sqrt(result.owned);
   double second = infinity; // squared
-  double beyond = infinity;
   NeighborWalk walk(lists, longer, owner);
-  while (walk.next())
+  while (walk.next([&](double least) { return security.excludes(least, radius, radius); }))
   {
-    if (security.excludes(walk.leastDistance(), radius, radius))
-    {
-      beyond = walk.leastDistance() - radius;
-      break;
-    }
     const double other = squaredDistance<D>(sites.site(walk.site()), point, d);
     if (other < result.owned || (other == result.owned && walk.site() < owner))
     {
@@ -58,7 +52,7 @@ Nearer findNearer(const double* point, Index owner, const Sites& sites, const Ne
     }
     second = std::min(second, other);
   }
-  result.others = std::min(std::sqrt(second), beyond);
+  result.others = std::min(std::sqrt(second), walk.leastDistance() - radius);
   return result;
 }
 

@@ -44,6 +44,7 @@ public:
     const EmbeddedSurface& surface, InstructionSet instructions = widestInstructionSet())
     : m_surface(surface)
     , m_instructions(instructions)
+    , m_lists(surface.patchStep > 0.0 ? surface.patchStep : std::numeric_limits<double>::infinity())
   {
   }
 
