@@ -126,16 +126,16 @@ bool NeighborLists::worn() const
   return static_cast<double>(worn) > mostWorn * static_cast<double>(count);
 }
 
-void NeighborLists::buildList(Index site, bool known, std::vector<Neighbor>& found)
+void NeighborLists::buildList(Index site, const Place& like, std::vector<Neighbor>& found)
 {
   const auto length = static_cast<std::size_t>(m_length);
   Place& place = m_places[site];
   double radius = 0.0;
   found.clear();
-  if (known)
+  if (like.count > 0 && like.reach < m_limit)
   {
     // In two dimensions the number of sites grows with the square of the radius.
-    radius = std::min(m_limit, place.reach * std::sqrt(wantedWithin / (place.count + 1.0)));
+    radius = std::min(m_limit, like.reach * std::sqrt(wantedWithin / (like.count + 1.0)));
     m_search->within(m_built.site(site), radius, found);
     found.erase(std::remove_if(found.begin(), found.end(),
                   [site](const Neighbor& neighbor) { return neighbor.site == site; }),
@@ -183,7 +183,10 @@ Status NeighborLists::build(const Sites& sites, const RunControl& control)
       std::vector<Neighbor> found;
       for (Offset site = begin; site < end; ++site)
       {
-        this->buildList(static_cast<Index>(site), known, found);
+        // Its own last list, or that of the site before, which is near as a rule, tells how far to
+        // look.
+        const Place like = known ? m_places[site] : site > begin ? m_places[site - 1] : Place{};
+        this->buildList(static_cast<Index>(site), like, found);
       }
     });
   if (!done)

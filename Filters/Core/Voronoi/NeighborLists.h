@@ -93,7 +93,7 @@ private:
 
   Status measureDisplacements(const Sites& sites, const RunControl& control);
   bool worn() const;
-  void buildList(Index site, bool known, std::vector<Neighbor>& found);
+  void buildList(Index site, const Place& like, std::vector<Neighbor>& found);
 
   double m_limit;
   Sites m_built; ///< the sites when the lists were built
@@ -147,9 +147,10 @@ public:
     ++m_current;
     if (m_current == m_count)
     {
-      m_least = m_extended ? 0.0 : m_lists.reach(m_site);
-      if (m_least > 0.0 && excludes(m_least))
+      const double unlisted = m_extended ? m_least : m_lists.reach(m_site);
+      if (unlisted > m_least && excludes(unlisted))
       {
+        m_least = unlisted;
         return false;
       }
       if (!this->extend())
@@ -158,9 +159,10 @@ public:
         return false;
       }
     }
-    m_least = m_extended ? (*m_extended)[m_current].distance - m_lists.approach(m_site)
-                         : std::min(m_list.distances[m_current] - m_lists.approachOfListed(m_site),
-                             m_lists.reach(m_site));
+    m_least = m_extended
+      ? std::max(m_least, (*m_extended)[m_current].distance - m_lists.approach(m_site))
+      : std::min(
+          m_list.distances[m_current] - m_lists.approachOfListed(m_site), m_lists.reach(m_site));
     return !excludes(m_least);
   }
 

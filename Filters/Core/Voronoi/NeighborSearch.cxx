@@ -126,9 +126,9 @@ class NeighborSearch::ForestOf : public NeighborSearch::Forest
   /** Nothing beyond a limit is looked at: far from all others, a site would else look at them all.
    */
   template <class Set>
-  struct NearestInReach
+  struct InReach
   {
-    Set set;
+    Set& set;
     double squaredLimit;
 
     bool addPoint(double squared, Index32 id) { return this->set.addPoint(squared, id); }
@@ -173,8 +173,9 @@ public:
   std::size_t search(const double* point, std::size_t count, double squaredLimit,
     std::uint32_t* ids, double* squared) const override
   {
-    NearestInReach<nanoflann::KNNResultSet<double, Index32>> nearest{ { count }, squaredLimit };
-    nearest.set.init(ids, squared);
+    nanoflann::KNNResultSet<double, Index32> set(count);
+    set.init(ids, squared);
+    InReach<nanoflann::KNNResultSet<double, Index32>> nearest{ set, squaredLimit };
     this->searchTrees(point, nearest);
     return nearest.size();
   }
