@@ -22,6 +22,8 @@ constexpr int settledRepairs = 2;    // later ones change nothing but what they 
 constexpr int roundsBetweenCuts = 4; // of tips
 constexpr double mostFailures = 0.1; // of the vertices; with more, there is no use in going on
 constexpr int mostRefinements = 10;  // rounds in which free sites may join curves
+/** Settling after later ones only brings others to the curves. */
+constexpr int settledRefinements = 1;
 constexpr int mostAdjustments = 6;
 constexpr int settledAdjustments = 2; // later ones change nothing but what they must
 constexpr int settlingSteps = 2;      // of Lloyd, after each
@@ -311,11 +313,11 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       break;
     }
     result.movedSites += moved;
-    const bool settles = repair.adjustments <= settledAdjustments &&
-      repair.stage == RepairStage::Refine && repair.rounds <= settledRepairs;
-    if (!settles)
+    const bool repaired = repair.adjustments > settledAdjustments ||
+      repair.stage != RepairStage::Refine || repair.rounds > settledRepairs;
+    if (repaired || repair.refinements > settledRefinements)
     {
-      repair.unsettled = true;
+      repair.unsettled |= repaired;
       roundToCaller(task.surface, result.sites); // nothing is to change but what was touched
       continue;
     }
