@@ -63,19 +63,19 @@ public:
   ///@{
   /**
    * How far mesh and surface may be from each other at most, both ways; then as many points are
-   * taken as that needs, and `NumberOfPoints` does not count. Fraction of the bounding-box diagonal,
-   * 0 to 1, or with `DistanceToleranceIsAbsolute` (default off) in the unit of the points; at least
-   * 1e-7 of the diagonal, else an error when the filter runs. Default 0: off.
+   * taken as that needs, and `NumberOfPoints` does not count. Fraction of the bounding-box
+   * diagonal, 0 to 1, or with `DistanceToleranceIsAbsolute` (default off) in the unit of the
+   * points; at least 1e-7 of the diagonal, else an error when the filter runs. Default 0: off.
    *
-   * The tolerance is proven to hold on all of both surfaces, not only at samples. Where it cannot be
-   * kept, because it takes more than `MaximumNumberOfPoints`, or because further points do not help
-   * (as at creases with `PreserveFeatures` off), there is a warning, and the last mesh comes out.
-   * The field arrays `MaximumDistance` and `RMSDistance` tell what was reached.
+   * The tolerance is proven to hold on all of both surfaces, not only at samples. Where it cannot
+   * be kept, because it takes more than `MaximumNumberOfPoints`, or because further points do not
+   * help (as at creases with `PreserveFeatures` off), there is a warning, and the last mesh comes
+   * out. The field arrays `MaximumDistance` and `RMSDistance` tell what was reached.
    *
    * Points are dense where single places need it: after a run with a number of points for which
-   * most of the mesh is within the tolerance, points are added where it is not. That takes two to
-   * five times as long as a run with the number of points that come out. Not with given initial
-   * sites.
+   * most of the mesh is within the tolerance, points are added where it is not. There may be
+   * ten such rounds or more, each with a diagram and a placement: count on ten times a run with the
+   * number of points that come out. Not with given initial sites.
    */
   vtkSetClampMacro(DistanceTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(DistanceTolerance, double);

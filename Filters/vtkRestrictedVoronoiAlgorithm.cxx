@@ -296,6 +296,10 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
         status = remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95),
           result, prepared.features ? &*prepared.features : nullptr);
       }
+      if (status.ok() && this->MeasureDistance)
+      {
+        status = remesh::findDistance(prepared.mesh, control.silent(), result);
+      }
       return status.ok() ? write() : status;
     });
   if (outcome != vtkInternals::Outcome::Done)
@@ -325,6 +329,7 @@ void vtkRestrictedVoronoiAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VertexPlacement: " << this->VertexPlacement << "\n";
   os << indent << "GenerateVoronoiCells: " << this->GenerateVoronoiCells << "\n";
   os << indent << "GenerateEdges: " << this->GenerateEdges << "\n";
+  os << indent << "MeasureDistance: " << this->MeasureDistance << "\n";
   os << indent << "MaximumCellEmbeddingDimension: " << this->MaximumCellEmbeddingDimension << "\n";
   os << indent << "Dimension: " << this->GetDimension() << "\n";
   os << indent << "NumberOfIterations: " << this->GetNumberOfIterations() << "\n";

@@ -4,6 +4,8 @@
 
 #include "vtkPointData.h"
 
+#include <cmath>
+
 namespace remesh
 {
 namespace
@@ -73,8 +75,12 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   add("Seed", source.seed);
   if (const std::optional<TwoSidedDistance>& distance = result.distance)
   {
-    columns.add<vtkDoubleArray>(
-      "MaximumDistance", [&](Offset) { return distance->maximumBound(); });
+    columns.add<vtkDoubleArray>("MaximumDistance",
+      [&](Offset)
+      {
+        const double bound = distance->maximumBound();
+        return std::isfinite(bound) ? bound : distance->maximum();
+      });
     columns.add<vtkDoubleArray>("RMSDistance", [&](Offset) { return distance->rms(); });
   }
 }

@@ -273,6 +273,20 @@ Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
     trianglesOf(result), trianglesOf(mesh), options, control, distance);
 }
 
+Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result)
+{
+  DistanceOptions options;
+  options.numberOfSamples = 2 * static_cast<Offset>(result.dual.triangles.size());
+  options.boundTolerance = -1.0;
+  TwoSidedDistance distance;
+  const Status status = measureMesh(mesh, result, options, control, distance);
+  if (status.ok())
+  {
+    result.distance = distance;
+  }
+  return control.cancelled() ? Status::cancelled() : Status::success();
+}
+
 Offset numberForTolerance(const NumberTrial& pilot, const ToleranceOptions& options)
 {
   const double estimate =

@@ -38,6 +38,13 @@ enum class ToleranceOutcome
 Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
   const DistanceOptions& options, const RunControl& control, TwoSidedDistance& distance);
 
+/**
+ * Sets `result.distance` from places on the triangles of both surfaces, without a bound; leaves it
+ * unset where one of them has no area.
+ * @return Cancelled, or success. Cost: O((F + T) log (F + T)).
+ */
+Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result);
+
 /** What is known of a run when the number for the next one is chosen. */
 struct NumberTrial
 {

@@ -34,9 +34,9 @@ const std::vector<const char*> ofSurfaces = { "EmbeddingMode", "Anisotropy",
   "NormalSmoothingPasses", "MergeTolerance", "CoordinateArrays", "NumberOfThreads", "SMPBackend",
   "NumberOfInputComponents", "NumberOfDroppedTriangles", "NumberOfMergedPoints", "UsedBackend",
   "NumberOfUsedThreads" };
-const std::vector<const char*> ofDiagrams = { "VertexPlacement", "GenerateVoronoiCells", "GenerateEdges",
-  "MaximumCellEmbeddingDimension", "Dimension", "NumberOfIterations", "NumberOfEvaluations",
-  "Energy", "TopologyReport" };
+const std::vector<const char*> ofDiagrams = { "VertexPlacement", "GenerateVoronoiCells",
+  "GenerateEdges", "MeasureDistance", "MaximumCellEmbeddingDimension", "Dimension",
+  "NumberOfIterations", "NumberOfEvaluations", "Energy", "TopologyReport" };
 const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod", "Seed",
   "NumberOfLloydIterations", "NumberOfNewtonIterations", "HistoryLength", "GradientTolerance",
   "EnergyTolerance", "MaximumNumberOfExtraPoints" };
@@ -123,6 +123,7 @@ void testDiagramProperties(vtkRestrictedVoronoiAlgorithm* filter)
   CHECK_EQUAL(filter->GetNumberOfOutputPorts(), 5);
   CHECK_EQUAL(filter->GetGenerateVoronoiCells(), true);
   CHECK_EQUAL(filter->GetGenerateEdges(), true);
+  CHECK_EQUAL(filter->GetMeasureDistance(), true);
   CHECK_EQUAL(filter->GetMaximumCellEmbeddingDimension(), 16);
   CHECK_EQUAL(filter->GetDimension(), 0);
   CHECK_EQUAL(filter->GetNumberOfIterations(), 0);

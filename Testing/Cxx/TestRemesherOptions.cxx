@@ -3,6 +3,7 @@
 #include "TestBytes.h"
 
 #include "vtkAnisotropicRemesher.h"
+#include "vtkSurfaceMeshComparison.h"
 
 #include <functional>
 
@@ -46,8 +47,23 @@ void testOptions(vtkPolyData* input)
   checkSame(contentOf(lean->GetOutput()), contentOf(plain->GetOutput()), "without cells");
   checkSame(contentOf(lean->GetSitesOutput()), contentOf(plain->GetSitesOutput()), "without cells");
 
-  const auto bare = run(input,
-    [](vtkAnisotropicRemesher* filter) { filter->SetMaximumCellEmbeddingDimension(5); });
+  // The distances are those that the comparison finds.
+  vtkNew<vtkSurfaceMeshComparison> comparison;
+  comparison->SetInputData(0, plain->GetOutput());
+  comparison->SetInputData(1, input);
+  comparison->Update();
+  const auto fact = [](vtkPolyData* data, const char* name)
+  { return arrayOf(data->GetFieldData(), name)->GetComponent(0, 0); };
+  const double rms = fact(comparison->GetOutput(), "RMSDistance");
+  const double maximum = fact(comparison->GetOutput(), "MaximumDistance");
+  CHECK_NEAR(fact(plain->GetOutput(), "RMSDistance"), rms, 0.1 * rms);
+  CHECK_NEAR(fact(plain->GetOutput(), "MaximumDistance"), maximum, 0.1 * maximum);
+  const auto unmeasured =
+    run(input, [](vtkAnisotropicRemesher* filter) { filter->MeasureDistanceOff(); });
+  CHECK(!unmeasured->GetOutput()->GetFieldData()->HasArray("RMSDistance"));
+
+  const auto bare =
+    run(input, [](vtkAnisotropicRemesher* filter) { filter->SetMaximumCellEmbeddingDimension(5); });
   CHECK(!bare->GetVoronoiCellsOutput()->GetPointData()->HasArray("Embedding"));
 
   const auto otherSeed = run(input, [](vtkAnisotropicRemesher* filter) { filter->SetSeed(6); });
@@ -94,7 +110,8 @@ void testInitialSites(vtkPolyData* input)
   CHECK_EQUAL(again->GetSitesOutput()->GetNumberOfPoints(), 57);
   for (vtkIdType i = 0; i < 57; ++i)
   {
-    const Eigen::VectorXd shift = tupleOf(arrayOf(again->GetSitesOutput()->GetPointData(), "Embedding"), i) -
+    const Eigen::VectorXd shift =
+      tupleOf(arrayOf(again->GetSitesOutput()->GetPointData(), "Embedding"), i) -
       tupleOf(arrayOf(first->GetSitesOutput()->GetPointData(), "Embedding"), i);
     CHECK_EQUAL(shift.norm(), 0.0);
   }
