@@ -142,7 +142,7 @@ void testErrors()
       messages.errors()[0].find("at least 1e-7") != std::string::npos);
     CHECK(outputsAreEmpty(filter));
   }
-  // None without a tolerance.
+  // Without a tolerance, what is found at samples.
   const auto plain = filterOf(polyDataOf(icosphere(2)), 0.0);
   plain->SetNumberOfPoints(100);
   plain->Update();
