@@ -15,12 +15,25 @@ namespace remesh
 {
 namespace
 {
-constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
-constexpr double mostOnFeatures = 0.6;   // of the points, see sampleCurves
+constexpr std::size_t mostExamined = 100000; // triangles, where no bound is sought
+constexpr double meanOfTolerance = 0.35;     // what the mean distance is to be
+constexpr double mostOnFeatures = 0.6;       // of the points, see sampleCurves
 constexpr int settlingSteps = 2;
 constexpr int mostIdleRounds = 6; // without fewer far places than ever before
 constexpr double tooNear = 0.2;   // to a site, for another one; over the root of its cell's mass
 constexpr double manyTolerances = 3.0; // beyond which a cell gets two sites at once
+
+/** Every k-th triangle, so that there are `mostExamined` at most. */
+std::vector<Triple> examinedOf(const std::vector<Triple>& triangles)
+{
+  const std::size_t step = (triangles.size() + mostExamined - 1) / mostExamined;
+  std::vector<Triple> some;
+  for (std::size_t t = 0; t < triangles.size(); t += step)
+  {
+    some.push_back(triangles[t]);
+  }
+  return some;
+}
 
 Triangles trianglesOf(const SurfaceMesh& mesh)
 {
@@ -276,11 +289,19 @@ Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
 Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result)
 {
   DistanceOptions options;
-  options.numberOfSamples = 2 * static_cast<Offset>(result.dual.triangles.size());
+  options.numberOfSamples = static_cast<Offset>(mostExamined);
   options.boundTolerance = -1.0;
+  // One tree at a time: they are large.
+  const auto measure = [&](const Triangles& from, const Triangles& to, OneSidedDistance& distance)
+  {
+    const std::vector<Triple> some = examinedOf(from.triangles);
+    const TriangleTree tree(to, control);
+    return !tree.empty() &&
+      measureOneSidedDistance({ from.points, some }, tree, options, control, distance).ok();
+  };
   TwoSidedDistance distance;
-  const Status status = measureMesh(mesh, result, options, control, distance);
-  if (status.ok())
+  if (measure(trianglesOf(result), trianglesOf(mesh), distance.forward) &&
+    measure(trianglesOf(mesh), trianglesOf(result), distance.backward))
   {
     result.distance = distance;
   }
