@@ -43,8 +43,8 @@ Status takeIn(
 }
 
 /** Cuts the mesh open along its features. */
-Status takeFeatures(
-  vtkPolyData* input, const PreparationRequest& request, PreparedSurface& prepared)
+Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
+  const RunControl& control, PreparedSurface& prepared)
 {
   if (!request.preserveFeatures)
   {
@@ -62,7 +62,11 @@ Status takeFeatures(
       return status;
     }
   }
-  Features features = findFeatures(prepared.mesh, options);
+  Features features = findFeatures(prepared.mesh, options, control);
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
   if (features.any() || features.numberOfPatches > 1)
   {
     prepared.features = std::move(features);
@@ -184,7 +188,7 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
     prepared.warnings.push_back(
       "The surface is not orientable: the mesh cannot be oriented consistently.");
   }
-  if (Status status = takeFeatures(input, request, prepared); !status.ok())
+  if (Status status = takeFeatures(input, request, progress, prepared); !status.ok())
   {
     return status;
   }

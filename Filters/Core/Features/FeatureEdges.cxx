@@ -1,6 +1,7 @@
 #include "Features/FeatureEdges.h"
 
 #include "Mesh/FacetGeometry.h"
+#include "Support/Grouping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,19 +78,16 @@ Index beyond(const EdgeTable& edges, Index edge, Index facet)
   return around[0] == facet ? around[1] : around[0];
 }
 
-std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& edges)
+std::vector<Point3> reliableNormals(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const RunControl& control)
 {
   const double leastHeight = resolution * diagonalOf(mesh);
   const Index count = mesh.numberOfFacets();
   std::vector<FacetShape> shapes(static_cast<std::size_t>(count));
-  for (Index f = 0; f < count; ++f)
-  {
-    shapes[f] = shapeOf(mesh, f, leastHeight);
-  }
   std::vector<Point3> normals(shapes.size());
-  for (Index f = 0; f < count; ++f)
+  const auto findNormal = [&](Offset f)
   {
-    Index at = f;
+    auto at = static_cast<Index>(f);
     double sign = 1.0;
     for (int step = 0; step < mostSteps && shapes[at].thin; ++step)
     {
@@ -103,29 +101,34 @@ std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& ed
       at = next;
     }
     normals[f] = shapes[at].thin ? shapes[f].normal : Point3(sign * shapes[at].normal);
-  }
+  };
+  static_cast<void>(
+    forEachItem(count, control,
+      [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), leastHeight); }) &&
+    forEachItem(count, control, findNormal));
   return normals;
 }
 }
 
-FeatureEdges findFeatureEdges(
-  const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options)
+FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, const RunControl& control)
 {
-  const std::vector<Point3> normals = reliableNormals(mesh, edges);
+  const std::vector<Point3> normals = reliableNormals(mesh, edges, control);
   const double pi = std::acos(-1.0);
   const double flat = std::cos(weakShare * options.angleDegrees * pi / 180.0);
   const double leastCosine = std::cos(options.angleDegrees * pi / 180.0);
   FeatureEdges features;
   features.kinds.resize(static_cast<std::size_t>(edges.numberOfEdges()));
   features.angles.resize(features.kinds.size(), 0.0F);
-  for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+  const auto findKind = [&](Offset item)
   {
+    const auto edge = static_cast<Index>(item);
     const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
     if (edges.valence(edge) != 2)
     {
       features.kinds[edge] =
         edges.valence(edge) == 1 ? FeatureKind::Boundary : FeatureKind::NonManifold;
-      continue;
+      return;
     }
     const bool bordersLabels = !options.facetLabels.empty() &&
       options.facetLabels[around[0]] != options.facetLabels[around[1]];
@@ -135,7 +138,8 @@ FeatureEdges findFeatureEdges(
       cosine > flat ? 0.0F : static_cast<float>(std::acos(std::clamp(cosine, -1.0, 1.0)));
     features.kinds[edge] =
       bordersLabels || cosine < leastCosine ? FeatureKind::Crease : FeatureKind::None;
-  }
+  };
+  static_cast<void>(forEachItem(edges.numberOfEdges(), control, findKind));
   return features;
 }
 }

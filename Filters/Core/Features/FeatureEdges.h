@@ -6,6 +6,7 @@
 #define remesh_FeatureEdges_h
 
 #include "Features/Features.h"
+#include "Support/RunControl.h"
 
 namespace remesh
 {
@@ -30,10 +31,10 @@ struct FeatureEdges
 /**
  * The kind of each edge. Facets thinner than what single precision resolves (1e-6 of the
  * bounding-box diagonal) have no normal of their own: they take that of the facet beyond their
- * longest edge. O(F).
+ * longest edge. O(F), in parallel. Of no use when cancelled.
  */
-FeatureEdges findFeatureEdges(
-  const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options);
+FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, const RunControl& control);
 
 /**
  * Drops creases that are small against the spacing: connected sets of crease edges whose extent is

@@ -262,16 +262,32 @@ void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
   }
 }
 
-Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options)
+Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const RunControl& control)
 {
+  const RunControl silent = control.silent();
   Features features;
-  features.edges = buildEdgeTable(mesh.facetPoints);
-  FeatureEdges found = findFeatureEdges(mesh, features.edges, options);
+  features.edges = buildEdgeTable(mesh.facetPoints, silent);
+  if (control.cancelled())
+  {
+    return features;
+  }
+  FeatureEdges found = findFeatureEdges(mesh, features.edges, options, silent);
+  if (control.cancelled())
+  {
+    return features;
+  }
   features.droppedEdges = dropSmallFeatures(mesh, features.edges, options, found);
   bridgeGaps(mesh, features.edges, options, found);
   features.kinds = std::move(found.kinds);
+  if (control.cancelled())
+  {
+    return features;
+  }
   cutAlongFeatures(mesh, features);
-  traceCurves(mesh, features);
+  if (!control.cancelled())
+  {
+    traceCurves(mesh, features);
+  }
   return features;
 }
 

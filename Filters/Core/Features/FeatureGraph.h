@@ -27,8 +27,12 @@ void traceCurves(const SurfaceMesh& mesh, Features& features);
  */
 void cutAlongFeatures(SurfaceMesh& mesh, Features& features);
 
-/** All of it: edges, small ones dropped, corners, curves, fans and patches. */
-Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options);
+/**
+ * All of it: edges, small ones dropped, corners, curves, fans and patches. Of no use, and neither
+ * is the mesh, when cancelled; the control is asked between and within these steps.
+ */
+Features findFeatures(
+  SurfaceMesh& mesh, const FeatureOptions& options, const RunControl& control = RunControl());
 
 /**
  * The edges of the surface as it is embedded: as its points have them, but where it is cut open
