@@ -289,12 +289,12 @@ Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
 Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result)
 {
   DistanceOptions options;
-  options.numberOfSamples = static_cast<Offset>(mostExamined);
   options.boundTolerance = -1.0;
   // One tree at a time: they are large.
   const auto measure = [&](const Triangles& from, const Triangles& to, OneSidedDistance& distance)
   {
     const std::vector<Triple> some = examinedOf(from.triangles);
+    options.numberOfSamples = 2000 + 3 * static_cast<Offset>(some.size());
     const TriangleTree tree(to, control);
     return !tree.empty() &&
       measureOneSidedDistance({ from.points, some }, tree, options, control, distance).ok();
