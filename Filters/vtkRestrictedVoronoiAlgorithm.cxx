@@ -6,6 +6,7 @@
 #include "Adaptors/MemoryCheck.h"
 #include "Adaptors/ProgressAdaptor.h"
 #include "Adaptors/SitesInput.h"
+#include "MeshDistance.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"

@@ -1,6 +1,7 @@
 #include "Adaptors/ToleranceRun.h"
 
 #include "Adaptors/MemoryCheck.h"
+#include "MeshDistance.h"
 
 #include <algorithm>
 #include <sstream>
@@ -50,7 +51,8 @@ struct ToleranceRun
 
   Status measure(const DistanceOptions& how, const RunControl& control, TwoSidedDistance& distance)
   {
-    return measureMesh(this->prepared.mesh, this->result, how, control, distance);
+    return measureTwoSidedDistance(
+      trianglesOf(this->result), trianglesOf(this->prepared.mesh), how, control, distance);
   }
 
   /** A rough mesh, and the number for the next one. The surface is prepared for the former. */

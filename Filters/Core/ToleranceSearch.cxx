@@ -5,6 +5,7 @@
 #include "Embedding/Distance.h"
 #include "Embedding/Embedding.h"
 #include "Mesh/ClosestPoint.h"
+#include "MeshDistance.h"
 #include "Voronoi/RestrictedVoronoi.h"
 #include "Voronoi/VertexPlaces.h"
 
@@ -15,35 +16,12 @@ namespace remesh
 {
 namespace
 {
-constexpr std::size_t mostExamined = 100000; // triangles, where no bound is sought
-constexpr double meanOfTolerance = 0.35;     // what the mean distance is to be
-constexpr double mostOnFeatures = 0.6;       // of the points, see sampleCurves
+constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
+constexpr double mostOnFeatures = 0.6;   // of the points, see sampleCurves
 constexpr int settlingSteps = 2;
 constexpr int mostIdleRounds = 6; // without fewer far places than ever before
 constexpr double tooNear = 0.2;   // to a site, for another one; over the root of its cell's mass
 constexpr double manyTolerances = 3.0; // beyond which a cell gets two sites at once
-
-/** Every k-th triangle, so that there are `mostExamined` at most. */
-std::vector<Triple> examinedOf(const std::vector<Triple>& triangles)
-{
-  const std::size_t step = (triangles.size() + mostExamined - 1) / mostExamined;
-  std::vector<Triple> some;
-  for (std::size_t t = 0; t < triangles.size(); t += step)
-  {
-    some.push_back(triangles[t]);
-  }
-  return some;
-}
-
-Triangles trianglesOf(const SurfaceMesh& mesh)
-{
-  return { mesh.points, mesh.facetPoints };
-}
-
-Triangles trianglesOf(const RemeshResult& result)
-{
-  return { result.placement.positions, result.dual.triangles };
-}
 
 /** A place of the surface from which a distance is beyond the tolerance. */
 struct Excess
@@ -277,35 +255,6 @@ Status refine(Search& search, const std::vector<Excess>& excess, const std::vect
                          control.part(0.3, 1.0), result, search.features)
                      : status;
 }
-}
-
-Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
-  const DistanceOptions& options, const RunControl& control, TwoSidedDistance& distance)
-{
-  return measureTwoSidedDistance(
-    trianglesOf(result), trianglesOf(mesh), options, control, distance);
-}
-
-Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result)
-{
-  DistanceOptions options;
-  options.boundTolerance = -1.0;
-  // One tree at a time: they are large.
-  const auto measure = [&](const Triangles& from, const Triangles& to, OneSidedDistance& distance)
-  {
-    const std::vector<Triple> some = examinedOf(from.triangles);
-    options.numberOfSamples = 2000 + 3 * static_cast<Offset>(some.size());
-    const TriangleTree tree(to, control);
-    return !tree.empty() &&
-      measureOneSidedDistance({ from.points, some }, tree, options, control, distance).ok();
-  };
-  TwoSidedDistance distance;
-  if (measure(trianglesOf(result), trianglesOf(mesh), distance.forward) &&
-    measure(trianglesOf(mesh), trianglesOf(result), distance.backward))
-  {
-    result.distance = distance;
-  }
-  return control.cancelled() ? Status::cancelled() : Status::success();
 }
 
 Offset numberForTolerance(const NumberTrial& pilot, const ToleranceOptions& options)

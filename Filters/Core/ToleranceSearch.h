@@ -13,7 +13,6 @@
 #ifndef remesh_ToleranceSearch_h
 #define remesh_ToleranceSearch_h
 
-#include "Comparison/SurfaceDistance.h"
 #include "Remesh.h"
 
 #include <functional>
@@ -33,18 +32,6 @@ enum class ToleranceOutcome
   TooManyPoints, ///< it would take more than allowed
   Stuck          ///< further points do not help
 };
-
-/** Both surfaces as they are compared: the one after intake, and the mesh. */
-Status measureMesh(const SurfaceMesh& mesh, const RemeshResult& result,
-  const DistanceOptions& options, const RunControl& control, TwoSidedDistance& distance);
-
-/**
- * Sets `result.distance` from places on up to 100 000 triangles of each surface, without a bound;
- * leaves it unset where one of them has no area.
- * @return Cancelled, or success. Cost: O(F + T) for two trees, one after
- * the other, of 100 bytes a triangle.
- */
-Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result);
 
 /** What is known of a run when the number for the next one is chosen. */
 struct NumberTrial

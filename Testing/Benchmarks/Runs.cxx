@@ -10,6 +10,8 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -85,7 +87,6 @@ Figures evaluationOnce(const EmbeddedSurface& surface, const Sites& sites, const
       total = timed(
         [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
     });
-  fprintf(stderr, "EVALS %d energy %.12g\n", optimization.voronoi.evaluations(), optimization.sums.totalEnergy);
   const double share = 1.0 / optimization.voronoi.evaluations();
   const auto average = [=](const Elapsed& sum) {
     return Elapsed{ share * sum.wall, share * sum.processor };
@@ -129,14 +130,13 @@ class ScratchFolder
 {
 public:
   ScratchFolder()
+    : m_path(
+        std::filesystem::temp_directory_path() / ("remesh-benchmark-" + std::to_string(getpid())))
   {
-    std::string name =
-      (std::filesystem::temp_directory_path() / "remesh-benchmark-XXXXXX").string();
-    if (!mkdtemp(name.data()))
+    if (!std::filesystem::create_directory(m_path))
     {
-      throw std::runtime_error("cannot make a folder " + name);
+      throw std::runtime_error("there is already a folder " + m_path.string());
     }
-    m_path = name;
   }
   ~ScratchFolder()
   {

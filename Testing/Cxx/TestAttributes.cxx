@@ -1,20 +1,13 @@
 // What becomes of the input's point arrays and field data on the mesh, and of their roles.
 
-#include "TestBytes.h"
-#include "TestMeasures.h"
-
-#include "vtkAnisotropicRemesher.h"
+#include "TestCarriedArrays.h"
 
 #include "vtkBitArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkStaticCellLocator.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVariantArray.h"
 
-#include <cmath>
-#include <functional>
 #include <limits>
 
 using namespace remesh;
@@ -22,26 +15,6 @@ using namespace remesh::test;
 
 namespace
 {
-using Filter = vtkSmartPointer<vtkAnisotropicRemesher>;
-
-Filter makeFilter(vtkPolyData* input, vtkIdType points)
-{
-  auto filter = Filter::New();
-  filter->SetInputData(input);
-  filter->SetNumberOfPoints(points);
-  filter->SetNumberOfNewtonIterations(5);
-  return filter;
-}
-
-/** Runs it; returns its warnings. */
-std::vector<std::string> run(vtkAnisotropicRemesher* filter)
-{
-  Messages messages(filter);
-  filter->Update();
-  CHECK(messages.errors().empty());
-  return messages.warnings();
-}
-
 vtkSmartPointer<vtkPolyData> plane()
 {
   return polyDataOf(gridPatch(12, 12));

@@ -1,9 +1,6 @@
 // What becomes of the input's cell arrays on the mesh, and of ghost cells.
 
-#include "TestBytes.h"
-#include "TestMeasures.h"
-
-#include "vtkAnisotropicRemesher.h"
+#include "TestCarriedArrays.h"
 
 #include "vtkBitArray.h"
 #include "vtkFloatArray.h"
@@ -22,26 +19,6 @@ using namespace remesh::test;
 
 namespace
 {
-using Filter = vtkSmartPointer<vtkAnisotropicRemesher>;
-
-Filter makeFilter(vtkPolyData* input, vtkIdType points)
-{
-  auto filter = Filter::New();
-  filter->SetInputData(input);
-  filter->SetNumberOfPoints(points);
-  filter->SetNumberOfNewtonIterations(5);
-  return filter;
-}
-
-/** Runs it; returns its warnings. */
-std::vector<std::string> run(vtkAnisotropicRemesher* filter)
-{
-  Messages messages(filter);
-  filter->Update();
-  CHECK(messages.errors().empty());
-  return messages.warnings();
-}
-
 Point3 centerOf(vtkPolyData* data, vtkIdType cell)
 {
   vtkIdType size = 0;
