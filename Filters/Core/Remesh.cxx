@@ -1,16 +1,21 @@
 #include "Remesh.h"
 
 #include "Embedding/Embedding.h"
+#include "Features/CurveSeparation.h"
 #include "Features/PatchSampling.h"
 #include "Optimization/FixedSites.h"
 #include "Optimization/Lloyd.h"
 #include "RemeshDual.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
+#include <cmath>
+
 namespace remesh
 {
 namespace
 {
+constexpr double mostOnCurves = 0.9; // of the vertices, to keep curves apart
+
 /** The sites on the features, and then those of each patch. */
 Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResult& result)
 {
@@ -19,10 +24,13 @@ Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResul
   {
     return status;
   }
-  result.stations = sampleCurves(
-    task.mesh, task.surface, *task.features, options.numberOfSites, options.mostCurveError,
-    result.neededFeaturePoints);
+  result.stations = sampleCurves(task.mesh, task.surface, *task.features, options.numberOfSites,
+    options.mostCurveError, result.neededFeaturePoints);
   result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
+  separateCurves(task.mesh, task.surface, *task.features,
+    static_cast<Offset>(mostOnCurves * static_cast<double>(options.numberOfSites)),
+    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)),
+    result.stations, result.featureSites);
   result.sites = result.featureSites.sites;
   const std::vector<Offset> counts = shareOutSites(task.mesh, task.surface, *task.features,
     result.featureSites, options.numberOfSites - result.featureSites.numberOfPoints());

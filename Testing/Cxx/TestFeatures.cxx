@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 using namespace remesh;
 using namespace remesh::test;
@@ -130,6 +131,66 @@ void testCopies()
   for (vtkIdType k = 0; k < ids->GetNumberOfTuples(); ++k)
   {
     CHECK(copies.count(ids->GetComponent(k, 0)) == 1);
+  }
+}
+
+/** Triangles whose three sites do not meet in a vertex of the Voronoi cells. */
+int trianglesApartFromCells(vtkAnisotropicRemesher* filter)
+{
+  vtkPolyData* cells = filter->GetVoronoiCellsOutput();
+  const auto merged = arrayOf(cells->GetCellData(), "MergedSiteId");
+  std::vector<std::set<double>> meeting(static_cast<std::size_t>(cells->GetNumberOfPoints()));
+  forEachPolygon(cells,
+    [&](vtkIdType cell, const std::vector<vtkIdType>& ids)
+    {
+      for (const vtkIdType id : ids)
+      {
+        meeting[id].insert(merged->GetComponent(cell, 0));
+      }
+    });
+  std::set<std::set<double>> triples;
+  for (const std::set<double>& sites : meeting)
+  {
+    if (sites.size() == 3)
+    {
+      triples.insert(sites);
+    }
+  }
+  const auto ids = arrayOf(filter->GetOutput()->GetPointData(), "SiteId");
+  int apart = 0;
+  forEachPolygon(filter->GetOutput(),
+    [&](vtkIdType, const std::vector<vtkIdType>& corners)
+    {
+      std::set<double> sites;
+      for (const vtkIdType corner : corners)
+      {
+        sites.insert(ids->GetComponent(corner, 0));
+      }
+      apart += triples.count(sites) == 0 ? 1 : 0;
+    });
+  return apart;
+}
+
+/**
+ * Creases closer to each other than the points are spaced, in a thin plate whose faces differ in
+ * size and in a spike: the mesh is the dual of the cells there, too.
+ */
+void testNearCreases()
+{
+  for (const double anisotropy : { 0.0, 0.04 })
+  {
+    TriangleSoup plate = cube();
+    for (Point3& p : plate.points)
+    {
+      p = p[2] > 0.5 ? Point3(0.91 * p[0] + 0.01, 0.83 * p[1] + 0.02, 0.02) : p;
+    }
+    CHECK_EQUAL(trianglesApartFromCells(remesh(polyDataOf(plate), 400, anisotropy)), 0);
+    TriangleSoup spike = tetrahedron();
+    for (Point3& p : spike.points)
+    {
+      p = Point3(p[0], 0.07 * p[1] + 0.01 * p[0], 0.1 * p[2] + 0.04 * p[0]);
+    }
+    CHECK_EQUAL(trianglesApartFromCells(remesh(polyDataOf(spike), 300, anisotropy)), 0);
   }
 }
 
@@ -290,6 +351,7 @@ int TestFeatures(int, char*[])
 {
   testBox();
   testCopies();
+  testNearCreases();
   testThreeSheets();
   testOpenTube();
   testDisk();

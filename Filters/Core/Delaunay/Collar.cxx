@@ -183,26 +183,13 @@ private:
     }
   }
 
-  /** Whether the site is one of the curve's own. */
-  bool isOfCurve(const CollarEdge& collar, Index site) const
-  {
-    const std::vector<Index>& points = m_sites.curvePoints[collar.curve];
-    return std::find(points.begin(), points.end(), m_sites.pointOfSite[site]) != points.end();
-  }
-
-  /** A free site's piece on the curve, or another curve's where the surface is not cut. */
+  /** A free site's piece on the curve. */
   void noteIntrusion(const CollarEdge& collar, std::size_t inner, std::size_t outer)
   {
     const Index site = m_diagram.sites[m_stretches[inner].piece];
     if (site < m_sites.sites.count())
     {
-      // Sewn, but not where the cell comes from beyond another cut, as across a narrow strip.
-      const Index main = m_seams.components[m_sites.pointOfSite[site]];
-      const bool belongs = m_components.ofPiece[m_stretches[inner].piece] == main;
-      if (this->isOfCurve(collar, site) || (m_sewing && belongs))
-      {
-        return;
-      }
+      return;
     }
     const double begin = std::max(
       inner > 0 ? m_stretches[inner - 1].end : 0.0, outer > 0 ? m_cells[outer - 1].end : 0.0);
@@ -210,42 +197,11 @@ private:
     Intrusion intrusion{ collar.curve, 0, site, {}, 0.0 };
     const double foot = this->footOf(site, begin, end, intrusion.squared);
     intrusion.foot = { collar.segment, m_forward ? foot : 1.0 - foot };
-    this->alignFoot(intrusion);
     const std::vector<Station>& stations = m_stations[collar.curve];
     const auto after = std::upper_bound(stations.begin(), stations.end(), intrusion.foot);
     intrusion.section = std::clamp(static_cast<Index>(after - stations.begin()) - 1, Index(0),
       static_cast<Index>(stations.size()) - 2);
     m_seams.intrusions.push_back(intrusion);
-  }
-
-  /**
-   * Where another curve's site that shares an end with this curve intrudes, the places of both must
-   * be at the same distance from that end: feet of feet would never end.
-   */
-  void alignFoot(Intrusion& intrusion) const
-  {
-    if (intrusion.site >= m_sites.sites.count())
-    {
-      return;
-    }
-    const FeaturePoint& point = m_sites.points[m_sites.pointOfSite[intrusion.site]];
-    if (point.isCorner || point.curve == intrusion.curve)
-    {
-      return;
-    }
-    const FeatureCurve& own = m_features.curves[intrusion.curve];
-    const FeatureCurve& other = m_features.curves[point.curve];
-    double radius = std::numeric_limits<double>::infinity();
-    for (const bool front : { true, false })
-    {
-      const Index end = front ? own.points.front() : own.points.back();
-      const double distance = (point.place - m_mesh.points[end]).norm();
-      if ((end == other.points.front() || end == other.points.back()) && distance < radius)
-      {
-        radius = distance;
-        intrusion.foot = stationAtRadius(m_mesh, own, front, radius);
-      }
-    }
   }
 
   /** The place on the edge nearest to a site, between two others. */

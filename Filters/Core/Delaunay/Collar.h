@@ -28,11 +28,7 @@ struct FeatureSegment
   FeatureKind kind;
 };
 
-/**
- * A cell of a free site that reaches a curve between two of the curve's sites. Also one of another
- * curve's site, where the surface is not cut and nothing can be sewn, or where the cell has several
- * components and this is not the one with the site.
- */
+/** A cell of a free site that reaches a curve between two of the curve's sites. */
 struct Intrusion
 {
   Index curve;

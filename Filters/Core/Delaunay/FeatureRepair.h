@@ -14,12 +14,11 @@ namespace remesh
  * too coarse there: the curve gets a place at the point nearest to it, and the free site goes, so
  * that the number of vertices stays. At most one of them divides a section.
  *
- * Where the surface is not cut, a site of another curve can do so, too: the curve gets a place
- * nearest to it, from where on it keeps that site off, as long as there are free sites left to give
- * up for it.
+ * Then the curves are kept apart again (see separateCurves), as long as there are free sites left
+ * to give up for it.
  *
  * @param stations, featureSites are brought up to date, and so are the fixed ones of `sites`.
- * @return the number of sites that joined a curve.
+ * @return the number of new places on the curves.
  */
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const Features& features, const Seams& seams, Stations& stations, FeatureSites& featureSites,

@@ -38,6 +38,13 @@ Station stationAt(const std::vector<double>& lengths, double length);
 /** The length at a place. */
 double lengthAt(const std::vector<double>& lengths, const Station& station);
 
+/**
+ * Puts a place between those of a curve with these lengths at its points; false, and nothing done,
+ * if it would be close to one of them or its section is shorter than `leastSection`.
+ */
+bool insertStation(const std::vector<double>& lengths, const Station& station, double leastSection,
+  std::vector<Station>& places);
+
 /** The first place from one end of a curve that is at some distance from that end in R^3. */
 Station stationAtRadius(
   const SurfaceMesh& mesh, const FeatureCurve& curve, bool fromFront, double radius);

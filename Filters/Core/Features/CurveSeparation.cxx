@@ -1,0 +1,287 @@
+#include "Features/CurveSeparation.h"
+
+#include "Voronoi/NeighborSearch.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace remesh
+{
+namespace
+{
+constexpr int mostRounds = 32;
+constexpr double leastSection = 0.01; // of the spacing
+constexpr double rounding = 1e-12;    // of squared distances
+
+/** A site that is nearer to a place of a curve than the curve's own. */
+struct Intruder
+{
+  Index curve;
+  Station foot;  ///< nearest to the site, of the places it is nearest to
+  Station level; ///< as far as the site from a corner that both curves share, or else the foot
+  double excess; ///< by how much the site is nearer, the most of all places; of squared distances
+};
+
+using Coordinates = Eigen::Map<const Eigen::VectorXd>;
+
+/** Finds the intruders of all curves. */
+class Watch
+{
+public:
+  Watch(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
+    const FeatureSites& sites)
+    : m_mesh(mesh)
+    , m_surface(surface)
+    , m_features(features)
+    , m_sites(sites)
+    , m_search(sites.sites)
+  {
+  }
+
+  std::vector<Intruder> find()
+  {
+    std::size_t station = 0;
+    for (const CollarEdge& collar : m_sites.collar)
+    {
+      station = collar.segment == 0 ? 0 : station;
+      for (Offset i = m_features.edges.edgeFacetsBegin[collar.edge];
+           i < m_features.edges.edgeFacetsBegin[collar.edge + 1]; ++i)
+      {
+        this->watchSide(collar, m_features.edges.edgeFacets[i], station);
+      }
+      station += collar.changes.size();
+    }
+    return std::move(m_intruders);
+  }
+
+private:
+  /** One side of an edge, the stretches of its sites one after the other. */
+  void watchSide(const CollarEdge& collar, Index facet, std::size_t station)
+  {
+    const Triple& own = m_features.edges.facetEdges[facet];
+    const auto k = std::find(own.begin(), own.end(), collar.edge) - own.begin();
+    const bool forward = m_mesh.facetPoints[facet][k] == collar.start;
+    const Triple& corners = m_mesh.facetCorners[facet];
+    const Index start = corners[forward ? k : (k + 1) % 3];
+    const Index end = corners[forward ? (k + 1) % 3 : k];
+    m_start = Coordinates(m_surface.corner(start), m_surface.dimension);
+    m_along = Coordinates(m_surface.corner(end), m_surface.dimension) - m_start;
+    Index owner = collar.first;
+    double begin = 0.0;
+    for (const CollarEdge::Change& change : collar.changes)
+    {
+      this->watchStretch(collar, owner, station++, begin, change.t);
+      owner = change.to;
+      begin = change.t;
+    }
+    this->watchStretch(collar, owner, station, begin, 1.0);
+  }
+
+  void watchStretch(
+    const CollarEdge& collar, Index owner, std::size_t station, double begin, double end)
+  {
+    const Eigen::VectorXd middle = this->placeAt(0.5 * (begin + end));
+    const Eigen::VectorXd site = this->nearestCopy(owner, middle);
+    const double half = 0.5 * (end - begin) * m_along.norm();
+    const double radius =
+      std::max((this->placeAt(begin) - site).norm(), (this->placeAt(end) - site).norm());
+    m_search.within(middle.data(), half + radius, m_near);
+    for (const Neighbor& near : m_near)
+    {
+      const Index point = m_sites.pointOfSite[near.site];
+      if (point == owner || this->isNext(collar.curve, station, point))
+      {
+        continue;
+      }
+      // The difference of both squared distances is linear along the edge.
+      const Eigen::VectorXd other = this->coordinates(near.site);
+      const auto excessAt = [&](double t)
+      {
+        const Eigen::VectorXd place = this->placeAt(t);
+        return (place - site).squaredNorm() - (place - other).squaredNorm();
+      };
+      const double atBegin = excessAt(begin);
+      const double atEnd = excessAt(end);
+      const double most = std::max(atBegin, atEnd);
+      if (most <= rounding * radius * radius)
+      {
+        continue;
+      }
+      double first = begin;
+      double last = end;
+      if (std::min(atBegin, atEnd) < 0.0)
+      {
+        (atBegin < 0.0 ? first : last) = begin + (end - begin) * atBegin / (atBegin - atEnd);
+      }
+      const double length2 = m_along.squaredNorm();
+      const double foot = length2 > 0.0 ? (other - m_start).dot(m_along) / length2 : begin;
+      this->note(collar, near.site, std::min(std::max(foot, first), last), most);
+    }
+  }
+
+  void note(const CollarEdge& collar, Index site, double t, double excess)
+  {
+    Intruder intruder{ collar.curve, { collar.segment, t }, {}, excess };
+    const FeatureCurve& curve = m_features.curves[collar.curve];
+    if (t >= 1.0 && collar.segment + 1 < static_cast<Index>(curve.edges.size()))
+    {
+      intruder.foot = { collar.segment + 1, 0.0 };
+    }
+    intruder.level = this->levelOf(intruder, site, t);
+    m_intruders.push_back(intruder);
+  }
+
+  /**
+   * Where curves meet in a corner, places of both at the same distance from it, in R^d, keep each
+   * other off: feet of feet would come ever closer to it.
+   */
+  Station levelOf(const Intruder& intruder, Index site, double t) const
+  {
+    Station level = intruder.foot;
+    const FeaturePoint& point = m_sites.points[m_sites.pointOfSite[site]];
+    if (point.isCorner || point.curve == intruder.curve)
+    {
+      return level;
+    }
+    const FeatureCurve& own = m_features.curves[intruder.curve];
+    const FeatureCurve& other = m_features.curves[point.curve];
+    const Index from = own.points[intruder.foot.segment];
+    const Point3 place = m_mesh.points[from] +
+      intruder.foot.t *
+        (m_mesh.points[own.points[intruder.foot.segment + 1]] - m_mesh.points[from]);
+    const Eigen::VectorXd foot = this->placeAt(t);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const bool front : { true, false })
+    {
+      const Index end = front ? own.points.front() : own.points.back();
+      if (!own.hasCorners || (end != other.points.front() && end != other.points.back()))
+      {
+        continue;
+      }
+      const std::vector<Index>& points = m_sites.curvePoints[intruder.curve];
+      const Eigen::VectorXd corner =
+        this->nearestCopy(front ? points.front() : points.back(), foot);
+      const double theirs = (this->coordinates(site) - corner).norm();
+      const double ours = (foot - corner).norm();
+      if (theirs < nearest && ours > 0.0)
+      {
+        nearest = theirs;
+        const double radius = (place - m_mesh.points[end]).norm() * theirs / ours;
+        level = stationAtRadius(m_mesh, own, front, radius);
+      }
+    }
+    return level;
+  }
+
+  /** Whether a feature point is one of those before and after a station. */
+  bool isNext(Index curve, std::size_t station, Index point) const
+  {
+    const std::vector<Index>& points = m_sites.curvePoints[curve];
+    const std::size_t last = points.size() - 1;
+    const bool around = points.front() == points.back();
+    return (station > 0 && points[station - 1] == point) ||
+      (station < last && points[station + 1] == point) ||
+      (around && station == 0 && points[last - 1] == point) ||
+      (around && station == last && points[1] == point);
+  }
+
+  /** Of the copies of a feature point, the one that belongs to this side. */
+  Eigen::VectorXd nearestCopy(Index point, const Eigen::VectorXd& place) const
+  {
+    const Index end =
+      point + 1 < m_sites.numberOfPoints() ? m_sites.firstCopy[point + 1] : m_sites.sites.count();
+    Index nearest = m_sites.firstCopy[point];
+    for (Index copy = nearest + 1; copy < end; ++copy)
+    {
+      if ((this->coordinates(copy) - place).squaredNorm() <
+        (this->coordinates(nearest) - place).squaredNorm())
+      {
+        nearest = copy;
+      }
+    }
+    return this->coordinates(nearest);
+  }
+
+  Coordinates coordinates(Index site) const
+  {
+    return Coordinates(m_sites.sites.site(site), m_surface.dimension);
+  }
+
+  Eigen::VectorXd placeAt(double t) const { return m_start + t * m_along; }
+
+  const SurfaceMesh& m_mesh;
+  const EmbeddedSurface& m_surface;
+  const Features& m_features;
+  const FeatureSites& m_sites;
+  NeighborSearch m_search;
+  Eigen::VectorXd m_start; ///< of the edge on the side that is watched
+  Eigen::VectorXd m_along;
+  std::vector<Neighbor> m_near;
+  std::vector<Intruder> m_intruders;
+};
+
+/** Of all intruders in one section, the one with the largest excess. */
+std::vector<Intruder> worstOfSections(
+  const std::vector<Intruder>& intruders, const Stations& stations)
+{
+  std::map<std::pair<Index, std::ptrdiff_t>, Intruder> worst;
+  for (const Intruder& intruder : intruders)
+  {
+    const std::vector<Station>& places = stations[intruder.curve];
+    const auto after = std::upper_bound(places.begin(), places.end(), intruder.foot);
+    const auto [entry, isNew] =
+      worst.try_emplace({ intruder.curve, after - places.begin() }, intruder);
+    if (!isNew && intruder.excess > entry->second.excess)
+    {
+      entry->second = intruder;
+    }
+  }
+  std::vector<Intruder> result;
+  for (const auto& entry : worst)
+  {
+    result.push_back(entry.second);
+  }
+  return result;
+}
+}
+
+Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, Offset mostPoints, double spacing, Stations& stations,
+  FeatureSites& featureSites)
+{
+  Index added = 0;
+  std::map<Index, std::vector<double>> lengths;
+  for (int round = 0; round < mostRounds && !featureSites.collar.empty(); ++round)
+  {
+    const std::vector<Intruder> intruders =
+      worstOfSections(Watch(mesh, surface, features, featureSites).find(), stations);
+    Index now = 0;
+    for (const Intruder& intruder : intruders)
+    {
+      if (featureSites.numberOfPoints() + now >= mostPoints)
+      {
+        break;
+      }
+      std::vector<double>& along = lengths[intruder.curve];
+      if (along.empty())
+      {
+        along = measureCurve(mesh, surface, features, intruder.curve);
+      }
+      std::vector<Station>& places = stations[intruder.curve];
+      const double least = leastSection * spacing;
+      now += insertStation(along, intruder.level, least, places) ||
+          insertStation(along, intruder.foot, least, places)
+        ? 1
+        : 0;
+    }
+    if (now == 0)
+    {
+      break;
+    }
+    added += now;
+    featureSites = makeFeatureSites(mesh, surface, features, stations);
+  }
+  return added;
+}
+}

@@ -1,0 +1,35 @@
+/**
+ * @file CurveSeparation.h
+ * @brief Places on curves that lie close to each other, so that each curve keeps its own cells.
+ *
+ * The dual ends on a curve only where the cells that reach it are those of the curve's own sites,
+ * each in the stretch that is nearest to it along the curve. Between two curves closer to each
+ * other than their sites are spaced this needs sites opposite each other.
+ */
+#ifndef remesh_CurveSeparation_h
+#define remesh_CurveSeparation_h
+
+#include "Features/FeatureSites.h"
+
+namespace remesh
+{
+/**
+ * Adds places to the curves until no site of theirs is nearer, in R^d, to a place of a curve than
+ * the curve's own site there, or until the features have `mostPoints` vertices.
+ *
+ * A curve is divided at the foot of a site that is too near; where the curves of both meet in a
+ * corner, at the site's distance from the corner. Left as they are: sections shorter than a
+ * hundredth of `spacing`, in R^d. At a corner where the metrics of several sides contradict each
+ * other, sites of one curve can stay too near to another.
+ *
+ * @param featureSites those of the stations; brought up to date, too.
+ * @return the number of places added.
+ * Cost: some rounds, one where nothing is too near, each O(V + F), and a neighbour search for each
+ * edge of the curves.
+ */
+Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, Offset mostPoints, double spacing, Stations& stations,
+  FeatureSites& featureSites);
+}
+
+#endif
