@@ -14,8 +14,6 @@ namespace remesh
 {
 namespace
 {
-constexpr double mostOnCurves = 0.9; // of the vertices, to keep curves apart
-
 /** The sites on the features, and then those of each patch. */
 Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResult& result)
 {
@@ -27,8 +25,7 @@ Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResul
   result.stations = sampleCurves(task.mesh, task.surface, *task.features, options.numberOfSites,
     options.mostCurveError, result.neededFeaturePoints);
   result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
-  separateCurves(task.mesh, task.surface, *task.features,
-    static_cast<Offset>(mostOnCurves * static_cast<double>(options.numberOfSites)),
+  separateCurves(task.mesh, task.surface, *task.features, task.mostPointsOnFeatures(),
     std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)),
     result.stations, result.featureSites);
   result.sites = result.featureSites.sites;

@@ -88,8 +88,8 @@ struct RemeshResult
   Convergence convergence;
   TopologyResult topology;
   std::optional<TwoSidedDistance> distance; ///< of mesh and surface, where it was measured
-  Index emptyCells = 0; ///< of sites that are not on features
-  Index movedSites = 0; ///< in repairs; `convergence` ends before them
+  Index emptyCells = 0;                     ///< of sites that are not on features
+  Index movedSites = 0;                     ///< in repairs; `convergence` ends before them
   int evaluations = 0;
 
   struct Seconds

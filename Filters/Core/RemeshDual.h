@@ -15,7 +15,8 @@ namespace remesh
  *
  * 1. where cells reach a feature curve, their sites join the curve;
  * 2. where the certificate fails, sites are added, and others taken away (RepairStage);
- * 3. where the number of vertices is not what was asked for, sites are added or taken away.
+ * 3. where triangles are flipped, sites come, and others go;
+ * 4. where the number of vertices is not what was asked for, sites are added or taken away.
  *
  * The first changes are followed by a few steps of Lloyd's; later ones change nothing but what they
  * must, until in the end all sites take a few steps again, as far as the certificate holds. If it

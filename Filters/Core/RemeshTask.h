@@ -34,6 +34,9 @@ struct Task
   const EmbeddedSurface& surface;
   const Features* features; ///< nullptr: none
   const RemeshOptions& options;
+
+  /** Of the vertices, to keep curves apart. */
+  Offset mostPointsOnFeatures() const { return this->options.numberOfSites * 9 / 10; }
 };
 }
 

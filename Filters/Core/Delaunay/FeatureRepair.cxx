@@ -9,6 +9,8 @@ namespace remesh
 {
 namespace
 {
+constexpr double leastGap = 0.02; // of a section, between its ends and a new place
+
 /** The new fixed sites, then the free ones that stay. */
 Sites replaceFixed(const Sites& fixed, const Sites& old, const std::vector<char>& removed)
 {
@@ -25,8 +27,8 @@ Sites replaceFixed(const Sites& fixed, const Sites& old, const std::vector<char>
 }
 
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Seams& seams, Stations& stations, FeatureSites& featureSites,
-  Sites& sites)
+  const Features& features, const Seams& seams, Offset mostPoints, Stations& stations,
+  FeatureSites& featureSites, Sites& sites)
 {
   std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
   std::set<std::pair<Index, Index>> divided;
@@ -44,7 +46,7 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     {
       along = measureCurve(mesh, surface, features, intrusion.curve);
     }
-    if (insertStation(along, intrusion.foot, 0.0, stations[intrusion.curve]))
+    if (insertStation(along, intrusion.foot, 0.0, leastGap, stations[intrusion.curve]))
     {
       ++count;
       removed[intrusion.site] = 1;
@@ -56,10 +58,8 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     return 0;
   }
   featureSites = makeFeatureSites(mesh, surface, features, stations);
-  const Index spare = sites.count() - sites.fixed - count;
   const double spacing = std::sqrt(surface.siteMeasure / sites.count());
-  count += separateCurves(mesh, surface, features, featureSites.numberOfPoints() + spare, spacing,
-    stations, featureSites);
+  count += separateCurves(mesh, surface, features, mostPoints, spacing, stations, featureSites);
   sites = replaceFixed(featureSites.sites, sites, removed);
   return count;
 }

@@ -21,8 +21,8 @@ namespace remesh
  * @return the number of new places on the curves.
  */
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Seams& seams, Stations& stations, FeatureSites& featureSites,
-  Sites& sites);
+  const Features& features, const Seams& seams, Offset mostPoints, Stations& stations,
+  FeatureSites& featureSites, Sites& sites);
 }
 
 #endif

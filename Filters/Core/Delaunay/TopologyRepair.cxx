@@ -181,6 +181,45 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
   return refinement;
 }
 
+Refinement refineTriangles(const VertexPlaces& places, const Components& components,
+  const Dual& dual, const std::vector<Index>& triangles)
+{
+  const Diagram& diagram = places.diagram;
+  Refinement refinement;
+  std::vector<char> taken(static_cast<std::size_t>(components.count()), 0);
+  FarthestVertex farthest(places);
+  for (const Index t : triangles)
+  {
+    const auto& [a, b, c] = dual.triangles[t];
+    if (taken[a] || taken[b] || taken[c])
+    {
+      continue;
+    }
+    farthest.begin();
+    for (Offset p = components.pieceBegin[a]; p < components.pieceBegin[a + 1]; ++p)
+    {
+      const Offset piece = components.pieces[p];
+      for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+      {
+        const Index after = componentBeyond(diagram, components, piece, diagram.across[v]);
+        const Index before =
+          componentBeyond(diagram, components, piece, diagram.acrossIncoming(piece, v));
+        if ((after == b && before == c) || (after == c && before == b))
+        {
+          farthest.show(piece, v);
+        }
+      }
+    }
+    if (farthest.found())
+    {
+      taken[a] = taken[b] = taken[c] = 1;
+      refinement.added.insert(
+        refinement.added.end(), farthest.place().begin(), farthest.place().end());
+    }
+  }
+  return refinement;
+}
+
 namespace
 {
 /**
@@ -299,7 +338,7 @@ void addWhereEnergyIs(const VertexPlaces& places, const Components& components, 
 }
 
 Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
-  const Certificate& certificate, const CellSums& sums, Refinement refinement, Offset wanted,
+  const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
   Index addedBefore, Sites& sites)
 {
   auto& [added, removed] = refinement;
@@ -313,7 +352,7 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   else if (surplus > 0)
   {
     const std::vector<char> distances =
-      distancesToFailures(components, dual, certificate, sites.count() - addedBefore);
+      distancesToFailures(components, dual, failures, sites.count() - addedBefore);
     const std::vector<Index> donors =
       findDonors(components, distances, sums, sites.fixed, static_cast<std::size_t>(surplus));
     const std::size_t missing = static_cast<std::size_t>(surplus) - donors.size();

@@ -36,6 +36,13 @@ struct Refinement
 Refinement refineTopology(const VertexPlaces& places, const Components& components,
   const Dual& dual, const Certificate& certificate, bool cutTips);
 
+/**
+ * A new site for each of these triangles, at the vertex of the diagram it is the dual of; none for
+ * those next to another one's. O(P / K) each.
+ */
+Refinement refineTriangles(const VertexPlaces& places, const Components& components,
+  const Dual& dual, const std::vector<Index>& triangles);
+
 struct Revision
 {
   Index added = 0; ///< the last sites there are
@@ -44,8 +51,8 @@ struct Revision
 
 /**
  * Adds and takes away these sites, and brings the number of the mesh's vertices to what is wanted:
- * takes away the free sites with the least energy, as far as can be from where the certificate
- * fails and where sites were added before, or adds sites where cells have the most.
+ * takes away the free sites with the least energy, as far as can be from failures and from where
+ * sites were added before, or adds sites where cells have the most.
  *
  * @param places of the diagram, whose sites these are still.
  * @param refinement the last places are left out where there are not enough sites to take away.
@@ -53,7 +60,7 @@ struct Revision
  * @param addedBefore the last so many sites stay, and those around them.
  */
 Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
-  const Certificate& certificate, const CellSums& sums, Refinement refinement, Offset wanted,
+  const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
   Index addedBefore, Sites& sites);
 
 /** The last `addedBefore` sites, and those a few triangles around them; ascending. O(K). */

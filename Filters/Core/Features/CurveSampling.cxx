@@ -20,7 +20,6 @@ constexpr double largestBendShare = 0.5; // for the fine error; before it grows 
 constexpr double largestShare = 0.6;     // of all on curves; before it grows, and the spacing
 constexpr double growth = 1.25;
 constexpr int mostGrowths = 20;
-constexpr double leastGap = 0.02; // of a section, between its ends and a new place
 constexpr int balancingSteps = 10;
 constexpr double hexagonal = 0.86602540378443864676; // area per point over spacing squared
 
@@ -237,7 +236,7 @@ double lengthAt(const std::vector<double>& lengths, const Station& station)
 }
 
 bool insertStation(const std::vector<double>& lengths, const Station& station, double leastSection,
-  std::vector<Station>& places)
+  double leastGap, std::vector<Station>& places)
 {
   const auto after = std::upper_bound(places.begin(), places.end(), station);
   if (after == places.begin() || after == places.end())

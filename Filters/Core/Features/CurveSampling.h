@@ -40,10 +40,11 @@ double lengthAt(const std::vector<double>& lengths, const Station& station);
 
 /**
  * Puts a place between those of a curve with these lengths at its points; false, and nothing done,
- * if it would be close to one of them or its section is shorter than `leastSection`.
+ * if its section is shorter than `leastSection`, or it would be nearer to one of them than
+ * `leastGap` of the section.
  */
 bool insertStation(const std::vector<double>& lengths, const Station& station, double leastSection,
-  std::vector<Station>& places);
+  double leastGap, std::vector<Station>& places);
 
 /** The first place from one end of a curve that is at some distance from that end in R^3. */
 Station stationAtRadius(

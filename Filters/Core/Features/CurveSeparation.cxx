@@ -11,7 +11,8 @@ namespace remesh
 namespace
 {
 constexpr int mostRounds = 32;
-constexpr double leastSection = 0.01; // of the spacing
+constexpr double leastSection = 0.05; // of the spacing
+constexpr double leastGap = 0.1;      // of a section
 constexpr double rounding = 1e-12;    // of squared distances
 
 /** A site that is nearer to a place of a curve than the curve's own. */
@@ -250,16 +251,28 @@ Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const Features& features, Offset mostPoints, double spacing, Stations& stations,
   FeatureSites& featureSites)
 {
-  Index added = 0;
+  const Stations before = stations;
+  const Index pointsBefore = featureSites.numberOfPoints();
+  const double least = leastSection * spacing;
   std::map<Index, std::vector<double>> lengths;
+  std::size_t found = 0; // in the first round
+  bool isFull = false;
   for (int round = 0; round < mostRounds && !featureSites.collar.empty(); ++round)
   {
     const std::vector<Intruder> intruders =
       worstOfSections(Watch(mesh, surface, features, featureSites).find(), stations);
-    Index now = 0;
+    found = round == 0 ? intruders.size() : found;
+    if (isFull && 2 * intruders.size() > found)
+    {
+      stations = before;
+      featureSites = makeFeatureSites(mesh, surface, features, stations);
+    }
+    const Offset pointsSoFar = featureSites.numberOfPoints();
+    Offset points = pointsSoFar;
     for (const Intruder& intruder : intruders)
     {
-      if (featureSites.numberOfPoints() + now >= mostPoints)
+      isFull = isFull || points >= mostPoints;
+      if (isFull)
       {
         break;
       }
@@ -269,19 +282,17 @@ Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
         along = measureCurve(mesh, surface, features, intruder.curve);
       }
       std::vector<Station>& places = stations[intruder.curve];
-      const double least = leastSection * spacing;
-      now += insertStation(along, intruder.level, least, places) ||
-          insertStation(along, intruder.foot, least, places)
+      points += insertStation(along, intruder.level, least, leastGap, places) ||
+          insertStation(along, intruder.foot, least, leastGap, places)
         ? 1
         : 0;
     }
-    if (now == 0)
+    if (points == pointsSoFar)
     {
       break;
     }
-    added += now;
     featureSites = makeFeatureSites(mesh, surface, features, stations);
   }
-  return added;
+  return featureSites.numberOfPoints() - pointsBefore;
 }
 }

@@ -15,11 +15,12 @@ namespace remesh
 {
 /**
  * Adds places to the curves until no site of theirs is nearer, in R^d, to a place of a curve than
- * the curve's own site there, or until the features have `mostPoints` vertices.
+ * the curve's own site there, or until the features have `mostPoints` vertices; none at all where
+ * these would not get half of the sites away.
  *
  * A curve is divided at the foot of a site that is too near; where the curves of both meet in a
  * corner, at the site's distance from the corner. Left as they are: sections shorter than a
- * hundredth of `spacing`, in R^d. At a corner where the metrics of several sides contradict each
+ * twentieth of `spacing`, in R^d. At a corner where the metrics of several sides contradict each
  * other, sites of one curve can stay too near to another.
  *
  * @param featureSites those of the stations; brought up to date, too.

@@ -1,6 +1,7 @@
 #include "Placement/FlipRepair.h"
 
 #include "Placement/RepairedMesh.h"
+#include "Placement/TriangleShape.h"
 #include "Support/Grouping.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct Workshop
   const PlacementProblem& problem;
   const std::vector<Point3>& surfacePlaces;
   const RunControl& control;
+  FlipSteps steps;
   double gain;
 };
 
@@ -124,7 +126,7 @@ void mend(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRepair& 
   }
   for (int k = 0; k < 3; ++k)
   {
-    if (mesh.isFlipped(mesh.triangles()[triangle]))
+    if (shop.steps == FlipSteps::MoveAndTurn && mesh.isFlipped(mesh.triangles()[triangle]))
     {
       repair.flippedEdges += turnEdge(shop, triangle, k, mesh);
     }
@@ -163,55 +165,69 @@ void mendAround(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRe
 }
 }
 
+Status findFlipped(const NearbySurface& surface, const std::vector<Triple>& triangles,
+  const std::vector<Point3>& positions, const RunControl& control, std::vector<Index>& flipped)
+{
+  std::vector<char> isFlipped(triangles.size());
+  if (!forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control.silent(),
+        [&](Offset begin, Offset end)
+        {
+          for (Offset t = begin; t < end; ++t)
+          {
+            isFlipped[t] = surface.isFlipped(triangles[t], cornersOf(triangles[t], positions));
+          }
+        }))
+  {
+    return Status::cancelled();
+  }
+  flipped.clear();
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (isFlipped[t])
+    {
+      flipped.push_back(static_cast<Index>(t));
+    }
+  }
+  return Status::success();
+}
+
 Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes,
+  const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes, FlipSteps steps,
   const RunControl& control, std::vector<Triple>& triangles, std::vector<Point3>& positions,
   FlipRepair& repair)
 {
   repair = FlipRepair{};
-  const auto count = static_cast<Offset>(triangles.size());
   RepairedMesh mesh(problem, surface, shapes, triangles, positions);
-  Offset stepsBefore = 0;
+  Offset doneBefore = 0;
+  std::vector<Index> flipped;
   for (int pass = 0;; ++pass)
   {
-    std::vector<char> flipped(triangles.size());
-    if (!forEachRange(Blocks::cut(count, 64, 4096), control.silent(),
-          [&](Offset begin, Offset end)
-          {
-            for (Offset t = begin; t < end; ++t)
-            {
-              flipped[t] = mesh.isFlipped(triangles[t]) ? 1 : 0;
-            }
-          }))
+    if (Status status = findFlipped(surface, triangles, positions, control, flipped); !status.ok())
     {
-      return Status::cancelled();
+      return status;
     }
-    repair.flippedTriangles = std::count(flipped.begin(), flipped.end(), 1);
-    const Offset steps = repair.movedVertices + repair.flippedEdges;
-    const bool stuck = pass > strictPasses && steps == stepsBefore;
-    if (repair.flippedTriangles == 0 || pass == mostPasses || stuck)
+    repair.flippedTriangles = static_cast<Offset>(flipped.size());
+    const Offset done = repair.movedVertices + repair.flippedEdges;
+    const bool stuck = pass > strictPasses && done == doneBefore;
+    const int passes = steps == FlipSteps::Move ? strictPasses : mostPasses;
+    if (repair.flippedTriangles == 0 || pass == passes || stuck)
     {
       return Status::success();
     }
-    stepsBefore = steps;
-    const Workshop shop{ problem, surfacePlaces, control,
+    doneBefore = done;
+    const Workshop shop{ problem, surfacePlaces, control, steps,
       pass < strictPasses ? flippedCost : leastGain };
-    for (Offset t = 0; t < count; ++t)
+    for (const Index triangle : flipped)
     {
-      if (!flipped[t])
-      {
-        continue;
-      }
       if (control.cancelled())
       {
         return Status::cancelled();
       }
-      const auto triangle = static_cast<Index>(t);
-      if (mesh.isFlipped(triangles[t]))
+      if (mesh.isFlipped(triangles[triangle]))
       {
         mend(shop, triangle, mesh, repair);
       }
-      if (pass >= strictPasses && mesh.isFlipped(triangles[t]))
+      if (pass >= strictPasses && mesh.isFlipped(triangles[triangle]))
       {
         mendAround(shop, triangle, mesh, repair);
       }

@@ -20,13 +20,29 @@ struct FlipRepair
 };
 
 /**
- * 1. Finds the triangles whose normal makes more than 90 degrees with that of the closest facet
- *    (NearbySurface.h). Parallel.
+ * The triangles whose normal makes more than 90 degrees with that of the closest facet
+ * (NearbySurface.h), ascending. Parallel.
+ *
+ * @return Cancelled; then `flipped` is of no use.
+ */
+Status findFlipped(const NearbySurface& surface, const std::vector<Triple>& triangles,
+  const std::vector<Point3>& positions, const RunControl& control, std::vector<Index>& flipped);
+
+enum class FlipSteps
+{
+  Move,       ///< vertices
+  MoveAndTurn ///< vertices, and edges of triangles
+};
+
+/**
+ * 1. Finds the flipped triangles.
  * 2. For each, tries other places for its vertices (not fixed ones): the cell's centroid, its point
  *    on the surface, the mean of the neighbours, and the ways there; then turns its edges over (not
  *    those along features), if the topology stays. Each step must turn a triangle back.
  * 3. What is left after a few passes gets more places to try, and all around it may move and turn:
  *    steps need only lower what the triangles deviate from the surface's normals.
+ *
+ * Without turned edges, it ends after step 2.
  *
  * Steps 2 and 3 go from triangle to triangle in order: flipped ones are few. They end when nothing
  * is flipped, or nothing helps.
@@ -37,7 +53,7 @@ struct FlipRepair
  * @param positions K; changed.
  */
 Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes,
+  const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes, FlipSteps steps,
   const RunControl& control, std::vector<Triple>& triangles, std::vector<Point3>& positions,
   FlipRepair& repair);
 }

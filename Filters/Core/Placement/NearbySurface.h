@@ -25,9 +25,13 @@ public:
 
   /**
    * The cosine between the normals of a triangle and of the facet closest to its centroid, among
-   * those of the cells of its three vertices; below 0, it is flipped. -1 without area.
+   * those of the cells of its three vertices. -1 without area.
    */
   double facingOf(const Triple& components, const std::array<Point3, 3>& corners) const;
+  bool isFlipped(const Triple& components, const std::array<Point3, 3>& corners) const
+  {
+    return this->facingOf(components, corners) < 0.0;
+  }
 
 private:
   const PlacementProblem& m_problem;

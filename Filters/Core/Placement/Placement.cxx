@@ -113,8 +113,8 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
     }
   }
   const NearbySurface surface(problem);
-  if (Status status = repairFlips(problem, surface, onSurface, start, control.step(1, 2), triangles,
-        placement.positions, placement.repair);
+  if (Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn,
+        control.step(1, 2), triangles, placement.positions, placement.repair);
       !status.ok())
   {
     return status;

@@ -74,7 +74,7 @@ Point3 RepairedMesh::onSurface(Index vertex, const Point3& place) const
 
 bool RepairedMesh::isFlipped(const Triple& triangle) const
 {
-  return m_surface.facingOf(triangle, cornersOf(triangle, m_positions)) < 0.0;
+  return m_surface.isFlipped(triangle, cornersOf(triangle, m_positions));
 }
 
 double RepairedMesh::cost(const Triple& triangle) const

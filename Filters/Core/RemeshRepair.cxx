@@ -1,0 +1,256 @@
+#include "RemeshRepair.h"
+
+#include "Delaunay/FeatureRepair.h"
+#include "Delaunay/TopologyRepair.h"
+#include "Placement/FlipRepair.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace remesh
+{
+namespace
+{
+constexpr int mostRepairs = 32;      // in each stage
+constexpr int mostIdleRepairs = 8;   // since one that was better than all before
+constexpr int settledRepairs = 2;    // later ones change nothing but what they must
+constexpr int roundsBetweenCuts = 4; // of tips
+constexpr double mostFailures = 0.1; // of the vertices; with more, there is no use in going on
+constexpr int mostRefinements = 10;  // rounds in which free sites may join curves
+/** Settling after later ones only brings others to the curves. */
+constexpr int settledRefinements = 1;
+constexpr int mostAdjustments = 10;   // of the number of vertices
+constexpr int settledAdjustments = 2; // later ones change nothing but what they must
+constexpr int mostFlipRounds = 3;     // in which sites go to flipped triangles
+constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
+}
+
+void keepState(const RemeshResult& result, Repair& repair)
+{
+  repair.best = { result.sites, result.stations, result.featureSites, repair.addedSites,
+    repair.extraPoints, repair.flips };
+}
+
+void restoreState(Repair& repair, RemeshResult& result)
+{
+  result.sites = repair.best.sites;
+  result.stations = repair.best.stations;
+  result.featureSites = repair.best.featureSites;
+  repair.addedSites = repair.best.addedSites;
+  repair.extraPoints = repair.best.extraPoints;
+  repair.flips = repair.best.flips;
+}
+
+Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
+{
+  const Offset beyond = result.components.count() - options.numberOfSites;
+  return { options.exactNumber ? std::max({ Offset(0), -beyond, beyond - repair.extraPoints }) : 0,
+    !result.topology.certificate.holds(), result.topology.certificate.violations() + repair.flips };
+}
+
+namespace
+{
+/** Keeps the state if it is the best so far. */
+void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
+{
+  const Offset failures = result.topology.certificate.violations();
+  repair.idleRounds = failures < repair.fewestFailures ? 0 : repair.idleRounds + 1;
+  repair.fewestFailures = std::min(repair.fewestFailures, failures);
+  if (const Score score = scoreOf(options, result, repair); score < repair.scoreOfBest)
+  {
+    repair.scoreOfBest = score;
+    keepState(result, repair);
+  }
+}
+
+/** Adds these sites, and others or none, so that the mesh has as many vertices as wanted. */
+Index revise(Refinement refinement, const Certificate& failures, Offset wanted, const Task& task,
+  Repair& repair, RemeshResult& result)
+{
+  // Without hope for the topology at least the number shall be right.
+  const bool keepNone = repair.stage == RepairStage::GivenUp && repair.flipRounds == 0;
+  const Index kept = keepNone ? 0 : repair.addedSites;
+  const Revision revision =
+    reviseSites({ task.surface, result.sites, result.diagram }, result.components, result.dual,
+      failures, result.sums, std::move(refinement), wanted, kept, result.sites);
+  repair.addedSites += revision.added;
+  return revision.added + revision.removed;
+}
+
+/** Where so much of the mesh fails, other sites are no use: there are too few. */
+bool isHopeless(Offset failures, const RemeshResult& result)
+{
+  return static_cast<double>(failures) >
+    mostFailures * static_cast<double>(result.components.count());
+}
+
+/** The stage after this one; where most of the mesh fails only many more points help. */
+RepairStage nextStage(const Task& task, const Repair& repair, const RemeshResult& result)
+{
+  const Offset extra = task.options.maximumExtraPoints;
+  const bool hopeless = isHopeless(repair.fewestFailures, result);
+  if (repair.stage == RepairStage::Refine && !hopeless)
+  {
+    return RepairStage::CutTips;
+  }
+  return repair.stage != RepairStage::BeyondNumber && extra > 0 &&
+      (!hopeless || extra > repair.fewestFailures)
+    ? RepairStage::BeyondNumber
+    : RepairStage::GivenUp;
+}
+
+/** Sites for where the certificate fails. */
+Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
+{
+  if (repair.stage == RepairStage::GivenUp)
+  {
+    return 0;
+  }
+  if (repair.flipRounds > 0 && repair.rounds >= mostRepairsOfFlips)
+  {
+    repair.flipRounds = mostFlipRounds;
+    restoreState(repair, result);
+    return 1;
+  }
+  if (repair.rounds >= mostRepairs || repair.idleRounds > mostIdleRepairs)
+  {
+    repair.stage = nextStage(task, repair, result);
+    repair.rounds = 0;
+    repair.idleRounds = 0;
+    if (scoreOf(task.options, result, repair) < repair.scoreOfBest)
+    {
+      return repairTopology(task, repair, result);
+    }
+    restoreState(repair, result);
+    return 1;
+  }
+  const bool cutTips =
+    repair.stage == RepairStage::CutTips && repair.rounds % roundsBetweenCuts == 0;
+  ++repair.rounds;
+  Refinement refinement = refineTopology({ task.surface, result.sites, result.diagram },
+    result.components, result.dual, result.topology.certificate, cutTips);
+  const auto count = static_cast<Offset>(refinement.added.size()) / task.surface.dimension;
+  const Offset extra = repair.stage == RepairStage::BeyondNumber
+    ? std::min(count, task.options.maximumExtraPoints - repair.extraPoints)
+    : 0;
+  const Offset before = task.options.exactNumber ? task.options.numberOfSites + repair.extraPoints
+                                                 : result.components.count();
+  repair.extraPoints += extra;
+  repair.idleRounds = extra > 0 ? 0 : repair.idleRounds;
+  const Index touched = revise(
+    std::move(refinement), result.topology.certificate, before + extra, task, repair, result);
+  if (touched == 0) // there are no sites to take away
+  {
+    repair.rounds = mostRepairs;
+    return repairTopology(task, repair, result);
+  }
+  return touched;
+}
+}
+
+std::vector<Index> flippedTriangles(
+  const Task& task, const RunControl& control, const RemeshResult& result)
+{
+  std::vector<Point3> positions = result.components.centroids;
+  std::vector<char> fixed(positions.size(), 0);
+  for (const Index vertex : result.seams.components)
+  {
+    if (vertex != noIndex)
+    {
+      fixed[vertex] = 1;
+    }
+  }
+  std::vector<Triple> triangles = result.dual.triangles;
+  const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
+    result.components, result.dual.triangles, fixed };
+  const NearbySurface surface(problem);
+  FlipRepair repair;
+  std::vector<Index> flipped;
+  Status status = repairFlips(problem, surface, result.components.centroids,
+    result.components.centroids, FlipSteps::Move, control, triangles, positions, repair);
+  if (status.ok() && repair.flippedTriangles > 0)
+  {
+    status = findFlipped(surface, triangles, positions, control, flipped);
+  }
+  return status.ok() ? flipped : std::vector<Index>();
+}
+
+namespace
+{
+/** Sites for where triangles are flipped; others are taken away. */
+Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+{
+  const std::vector<Index> flipped = flippedTriangles(task, control, result);
+  repair.flips = static_cast<Offset>(flipped.size());
+  if (repair.flipRounds == 0 && !result.topology.certificate.holds())
+  {
+    repair.scoreOfBest = worstScore; // flipped triangles were not counted yet
+  }
+  keepBest(task.options, result, repair);
+  if (flipped.empty() || repair.flipRounds >= mostFlipRounds || isHopeless(repair.flips, result))
+  {
+    return 0;
+  }
+  ++repair.flipRounds;
+  repair.rounds = 0;
+  repair.adjustments = std::min(repair.adjustments, settledAdjustments);
+  Certificate failures;
+  for (const Index t : flipped)
+  {
+    failures.vertices.push_back(result.dual.triangles[t]);
+  }
+  const Offset wanted = task.options.exactNumber ? task.options.numberOfSites + repair.extraPoints
+                                                 : result.components.count();
+  Refinement refinement = refineTriangles(
+    { task.surface, result.sites, result.diagram }, result.components, result.dual, flipped);
+  return refinement.added.empty()
+    ? 0
+    : revise(std::move(refinement), failures, wanted, task, repair, result);
+}
+}
+
+Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+{
+  if (task.features && repair.refinements < mostRefinements)
+  {
+    const Index touched = refineCurves(task.mesh, task.surface, *task.features, result.seams,
+      task.mostPointsOnFeatures(), result.stations, result.featureSites, result.sites);
+    if (touched > 0)
+    {
+      ++repair.refinements;
+      return touched;
+    }
+  }
+  if (!result.topology.certificate.holds() && repair.stage != RepairStage::GivenUp)
+  {
+    repair.flips = 0;
+    keepBest(task.options, result, repair);
+    if (const Index touched = repairTopology(task, repair, result); touched > 0)
+    {
+      repair.adjustments = std::min(repair.adjustments, settledAdjustments);
+      return touched;
+    }
+  }
+  const auto mendFlips = [&]() { return repairFlips(task, control, repair, result); };
+  if (const Index touched = result.topology.certificate.holds() ? mendFlips() : 0; touched > 0)
+  {
+    return touched;
+  }
+  const Offset wanted = task.options.numberOfSites + repair.extraPoints;
+  if (task.options.exactNumber && repair.adjustments < mostAdjustments &&
+    result.components.count() != wanted)
+  {
+    ++repair.adjustments;
+    return revise({}, result.topology.certificate, wanted, task, repair, result);
+  }
+  return result.topology.certificate.holds() ? 0 : mendFlips();
+}
+
+bool othersMustStay(Repair& repair)
+{
+  const bool repaired = repair.adjustments > settledAdjustments ||
+    repair.stage != RepairStage::Refine || repair.rounds > settledRepairs || repair.flipRounds > 0;
+  repair.unsettled |= repaired;
+  return repaired || repair.refinements > settledRefinements;
+}
+}

@@ -1,0 +1,85 @@
+/**
+ * @file RemeshRepair.h
+ * @brief Changes sites where their dual is not what it should be.
+ */
+#ifndef remesh_RemeshRepair_h
+#define remesh_RemeshRepair_h
+
+#include "RemeshTask.h"
+
+#include <limits>
+#include <tuple>
+
+namespace remesh
+{
+/** What a state of the sites is made of. */
+struct SiteState
+{
+  Sites sites;
+  Stations stations;
+  FeatureSites featureSites;
+  Index addedSites = 0; ///< by repairs; about the last ones there are
+  Offset extraPoints = 0;
+  Offset flips = 0;
+};
+
+/** How the topology is repaired, one after the other. */
+enum class RepairStage
+{
+  Refine,       ///< add sites, take away others
+  CutTips,      ///< now and then leave thin tips to the cells around them
+  BeyondNumber, ///< add sites
+  GivenUp
+};
+
+/**
+ * How many vertices there are too many or too few, whether the certificate fails, and how many
+ * failures and flipped triangles there are; lower is better.
+ */
+using Score = std::tuple<Offset, bool, Offset>;
+
+const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0 };
+
+/** What was mended how often, each with its own bound, and the best state so far. */
+struct Repair
+{
+  int refinements = 0;
+  int adjustments = 0;
+  RepairStage stage = RepairStage::Refine;
+  int rounds = 0;     ///< in this stage
+  int idleRounds = 0; ///< in this stage, since one with fewer failures than all before
+  Offset fewestFailures = std::numeric_limits<Offset>::max();
+  Index addedSites = 0;
+  Offset extraPoints = 0;
+  int flipRounds = 0;
+  Offset flips = 0;       ///< flipped triangles; 0 as long as the topology is being repaired
+  bool unsettled = false; ///< sites were changed without Lloyd's steps after
+
+  SiteState best;
+  Score scoreOfBest = worstScore;
+};
+
+/** Remembers the result's sites, whether or not they are the best so far. */
+void keepState(const RemeshResult& result, Repair& repair);
+void restoreState(Repair& repair, RemeshResult& result);
+
+Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
+
+/** The flipped triangles of the cells' centroids that no vertex can turn back where it may move. */
+std::vector<Index> flippedTriangles(
+  const Task& task, const RunControl& control, const RemeshResult& result);
+
+/**
+ * Mends the first of these that is wrong: cells that reach a curve between its sites, the topology,
+ * flipped triangles, the number of vertices.
+ *
+ * @param result with the diagram and dual of its sites, which change.
+ * @return the number of sites touched; 0 if there is nothing to mend that can be.
+ */
+Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result);
+
+/** Whether the last sites touched are to be the only ones that change; if so, notes it. */
+bool othersMustStay(Repair& repair);
+}
+
+#endif
