@@ -14,6 +14,7 @@ namespace remesh
 {
 namespace
 {
+constexpr int mostRounds = 100;   // of changes
 constexpr int settlingSteps = 2;  // of Lloyd, after the first repairs
 constexpr int mostSmoothings = 2; // in the end, if sites were changed without such steps
 
@@ -110,7 +111,8 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
   const bool mayRepair = options.optimize &&
     options.lloydIterations + options.quasiNewton.iterations > 0 &&
     (task.features || result.topology.surface.nonManifoldEdges == 0);
-  for (;; rest = rest.step(1, 2)) // each round fills half of the progress that is left
+  // Each round fills half of the progress that is left.
+  for (int round = 0;; ++round, rest = rest.step(1, 2))
   {
     Stopwatch watch;
     if (Status status = diagramAndDual(task, rest.step(0, 2), result); !status.ok())
@@ -118,7 +120,8 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       return status;
     }
     result.seconds.diagram += watch.lap();
-    const Index moved = mayRepair ? mend(task, rest.silent(), repair, result) : 0;
+    const Index moved =
+      mayRepair && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
     if (moved == 0)
     {
       break;

@@ -109,6 +109,7 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
   if (repair.flipRounds > 0 && repair.rounds >= mostRepairsOfFlips)
   {
     repair.flipRounds = mostFlipRounds;
+    repair.stage = RepairStage::GivenUp;
     restoreState(repair, result);
     return 1;
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 namespace remesh
@@ -88,6 +87,28 @@ void showVertices(const Diagram& diagram, const Components& components, Index co
   }
 }
 
+/** Adds a site at the farthest vertex shown, unless there is one. */
+bool addSite(const Diagram& diagram, const Components& components, const FarthestVertex& farthest,
+  Refinement& refinement)
+{
+  if (!farthest.found())
+  {
+    return false;
+  }
+  const auto [piece, vertex] = farthest.vertex();
+  Triple meeting{ components.ofPiece[piece],
+    componentBeyond(diagram, components, piece, diagram.across[vertex]),
+    componentBeyond(diagram, components, piece, diagram.acrossIncoming(piece, vertex)) };
+  std::sort(meeting.begin(), meeting.end());
+  const bool isNew = refinement.meetings.insert(meeting).second;
+  if (isNew)
+  {
+    refinement.added.insert(
+      refinement.added.end(), farthest.place().begin(), farthest.place().end());
+  }
+  return isNew;
+}
+
 std::vector<Index> countUses(const Dual& dual, Index numberOfVertices)
 {
   std::vector<Index> uses(static_cast<std::size_t>(numberOfVertices), 0);
@@ -107,26 +128,11 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
 {
   Refinement refinement;
   std::vector<char> taken(static_cast<std::size_t>(components.count()), 0);
-  std::set<Triple> meetings; // of components at the places so far: no two sites at one vertex
   FarthestVertex farthest(places);
   const auto refine = [&](Index component, Index neighbor)
   {
     showVertices(places.diagram, components, component, neighbor, farthest);
-    if (!farthest.found())
-    {
-      return;
-    }
-    const auto [piece, vertex] = farthest.vertex();
-    const auto beyond = [&, on = piece](Index across)
-    { return componentBeyond(places.diagram, components, on, across); };
-    Triple meeting{ component, beyond(places.diagram.across[vertex]),
-      beyond(places.diagram.acrossIncoming(piece, vertex)) };
-    std::sort(meeting.begin(), meeting.end());
-    if (meetings.insert(meeting).second)
-    {
-      refinement.added.insert(
-        refinement.added.end(), farthest.place().begin(), farthest.place().end());
-    }
+    addSite(places.diagram, components, farthest, refinement);
   };
   const std::vector<Index> uses = countUses(dual, components.count());
   const auto lessUsed = [&](Index a, Index b) { return uses[b] < uses[a] ? b : a; };
@@ -210,11 +216,9 @@ Refinement refineTriangles(const VertexPlaces& places, const Components& compone
         }
       }
     }
-    if (farthest.found())
+    if (addSite(diagram, components, farthest, refinement))
     {
       taken[a] = taken[b] = taken[c] = 1;
-      refinement.added.insert(
-        refinement.added.end(), farthest.place().begin(), farthest.place().end());
     }
   }
   return refinement;
@@ -319,20 +323,19 @@ void removeSites(const std::vector<Index>& removed, Sites& sites)
   sites.coordinates.resize(kept * d);
 }
 
-/** The farthest vertices of the components with the most energy, `count` of them at most. */
-void addWhereEnergyIs(const VertexPlaces& places, const Components& components, Offset count,
-  std::vector<double>& added)
+/** Adds up to `count` sites at the farthest vertices of the components with the most energy. */
+void addWhereEnergyIs(
+  const VertexPlaces& places, const Components& components, Offset count, Refinement& refinement)
 {
   std::vector<Index> byEnergy(static_cast<std::size_t>(components.count()));
   std::iota(byEnergy.begin(), byEnergy.end(), Index(0));
   std::stable_sort(byEnergy.begin(), byEnergy.end(),
     [&](Index a, Index b) { return components.energy[a] > components.energy[b]; });
-  byEnergy.resize(std::min(byEnergy.size(), static_cast<std::size_t>(count)));
   FarthestVertex farthest(places);
-  for (const Index component : byEnergy)
+  for (std::size_t k = 0; k < byEnergy.size() && count > 0; ++k)
   {
-    showVertices(places.diagram, components, component, noIndex, farthest);
-    added.insert(added.end(), farthest.place().begin(), farthest.place().end());
+    showVertices(places.diagram, components, byEnergy[k], noIndex, farthest);
+    count -= addSite(places.diagram, components, farthest, refinement) ? 1 : 0;
   }
 }
 }
@@ -341,13 +344,14 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
   Index addedBefore, Sites& sites)
 {
-  auto& [added, removed] = refinement;
+  auto& added = refinement.added;
+  auto& removed = refinement.removed;
   const auto d = static_cast<std::size_t>(sites.dimension);
   const Offset surplus = components.count() + static_cast<Offset>(added.size() / d) -
     static_cast<Offset>(removed.size()) - wanted;
   if (surplus < 0)
   {
-    addWhereEnergyIs(places, components, -surplus, added);
+    addWhereEnergyIs(places, components, -surplus, refinement);
   }
   else if (surplus > 0)
   {

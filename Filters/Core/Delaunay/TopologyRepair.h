@@ -15,6 +15,8 @@
 #include "Voronoi/CellSums.h"
 #include "Voronoi/VertexPlaces.h"
 
+#include <set>
+
 namespace remesh
 {
 /** What may mend a few of the failures. */
@@ -22,6 +24,8 @@ struct Refinement
 {
   std::vector<double> added;  ///< m x d, places of new sites in scaled units
   std::vector<Index> removed; ///< free sites
+  /** Components that meet at the vertices of the diagram with new sites: no two at one of them. */
+  std::set<Triple> meetings;
 };
 
 /**
