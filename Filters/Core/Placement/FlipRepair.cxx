@@ -10,8 +10,9 @@ namespace remesh
 {
 namespace
 {
-constexpr int strictPasses = 3; // in which every step must turn a triangle back
-constexpr int mostPasses = 9;
+constexpr int movingPasses = 3; // in which vertices move, and every step must turn a triangle back
+constexpr int turningPass = 3;  // in which edges may turn, too
+constexpr int mostPasses = 13;
 constexpr double leastGain = 0.02; // in later ones
 constexpr std::size_t mostSamples = 12;
 
@@ -21,7 +22,7 @@ struct Workshop
   const PlacementProblem& problem;
   const std::vector<Point3>& surfacePlaces;
   const RunControl& control;
-  FlipSteps steps;
+  bool mayTurn;
   double gain;
 };
 
@@ -97,8 +98,9 @@ bool moveVertex(const Workshop& shop, Index vertex, bool many, RepairedMesh& mes
   return helps;
 }
 
-/** Turns the edge opposite to corner k of a triangle over, if that helps. */
-bool turnEdge(const Workshop& shop, Index triangle, int k, RepairedMesh& mesh)
+/** Turns the edge opposite to corner k of a triangle over, if that helps; tells how to undo it. */
+bool turnEdge(const Workshop& shop, Index triangle, int k, RepairedMesh& mesh,
+  RepairedMesh::Turn* back = nullptr)
 {
   RepairedMesh::Turn turn;
   if (!mesh.canTurn(triangle, k, turn))
@@ -110,6 +112,10 @@ bool turnEdge(const Workshop& shop, Index triangle, int k, RepairedMesh& mesh)
   if (mesh.cost(turn.fresh[0]) + mesh.cost(turn.fresh[1]) > before - 0.5 * shop.gain)
   {
     return false;
+  }
+  if (back)
+  {
+    *back = { turn.old, { triangles[turn.old[0]], triangles[turn.old[1]] } };
   }
   mesh.apply(turn);
   return true;
@@ -126,31 +132,46 @@ void mend(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRepair& 
   }
   for (int k = 0; k < 3; ++k)
   {
-    if (shop.steps == FlipSteps::MoveAndTurn && mesh.isFlipped(mesh.triangles()[triangle]))
+    if (shop.mayTurn && mesh.isFlipped(mesh.triangles()[triangle]))
     {
       repair.flippedEdges += turnEdge(shop, triangle, k, mesh);
     }
   }
 }
 
-/** The same for all around a triangle that nothing helps alone. */
-void mendAround(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRepair& repair)
+/** The corners of a triangle, or all that share a triangle with one of them; ascending. */
+std::vector<Index> verticesAround(Index triangle, bool isWide, const RepairedMesh& mesh)
 {
-  std::vector<Index> vertices;
-  for (const Index vertex : mesh.triangles()[triangle])
+  const Triple& corners = mesh.triangles()[triangle];
+  std::vector<Index> vertices(corners.begin(), corners.end());
+  for (const Index vertex : corners)
   {
-    const std::vector<Index> around = mesh.neighbours(vertex);
+    const std::vector<Index> around = isWide ? mesh.neighbours(vertex) : std::vector<Index>();
     vertices.insert(vertices.end(), around.begin(), around.end());
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/** The same for all around a triangle that nothing helps alone; undone if it does not help. */
+void mendAround(
+  const Workshop& shop, Index triangle, bool isWide, RepairedMesh& mesh, FlipRepair& repair)
+{
+  const std::vector<Index> vertices = verticesAround(triangle, isWide, mesh);
+  std::vector<std::pair<Index, Point3>> moved;
+  std::vector<RepairedMesh::Turn> turned;
   for (const Index vertex : vertices)
   {
     if (shop.control.cancelled())
     {
       return;
     }
-    repair.movedVertices += moveVertex(shop, vertex, false, mesh);
+    const Point3 before = mesh.positions()[vertex];
+    if (moveVertex(shop, vertex, false, mesh))
+    {
+      moved.emplace_back(vertex, before);
+    }
   }
   for (const Index vertex : vertices)
   {
@@ -158,10 +179,23 @@ void mendAround(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRe
     {
       for (int k = 0; k < 3; ++k)
       {
-        repair.flippedEdges += turnEdge(shop, t, k, mesh);
+        RepairedMesh::Turn back;
+        if (turnEdge(shop, t, k, mesh, &back))
+        {
+          turned.push_back(back);
+        }
       }
     }
   }
+  if (mesh.isFlipped(mesh.triangles()[triangle]))
+  {
+    std::for_each(turned.rbegin(), turned.rend(), [&](const auto& back) { mesh.apply(back); });
+    std::for_each(moved.rbegin(), moved.rend(),
+      [&](const auto& move) { mesh.positions()[move.first] = move.second; });
+    return;
+  }
+  repair.movedVertices += static_cast<Offset>(moved.size());
+  repair.flippedEdges += static_cast<Offset>(turned.size());
 }
 }
 
@@ -199,6 +233,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   repair = FlipRepair{};
   RepairedMesh mesh(problem, surface, shapes, triangles, positions);
   Offset doneBefore = 0;
+  bool isWide = false; // only where nothing else helps
   std::vector<Index> flipped;
   for (int pass = 0;; ++pass)
   {
@@ -208,28 +243,30 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
     }
     repair.flippedTriangles = static_cast<Offset>(flipped.size());
     const Offset done = repair.movedVertices + repair.flippedEdges;
-    const bool stuck = pass > strictPasses && done == doneBefore;
-    const int passes = steps == FlipSteps::Move ? strictPasses : mostPasses;
-    if (repair.flippedTriangles == 0 || pass == passes || stuck)
+    const bool stuck = pass > turningPass + 1 && done == doneBefore;
+    const int passes = steps == FlipSteps::Move ? movingPasses : mostPasses;
+    if (repair.flippedTriangles == 0 || pass == passes || (stuck && isWide))
     {
       return Status::success();
     }
+    isWide = isWide || stuck;
     doneBefore = done;
-    const Workshop shop{ problem, surfacePlaces, control, steps,
-      pass < strictPasses ? flippedCost : leastGain };
+    const Workshop shop{ problem, surfacePlaces, control, pass >= turningPass,
+      pass <= turningPass ? flippedCost : leastGain };
     for (const Index triangle : flipped)
     {
       if (control.cancelled())
       {
         return Status::cancelled();
       }
-      if (mesh.isFlipped(triangles[triangle]))
+      const auto isFlipped = [&]() { return mesh.isFlipped(triangles[triangle]); };
+      if (isFlipped())
       {
         mend(shop, triangle, mesh, repair);
       }
-      if (pass >= strictPasses && mesh.isFlipped(triangles[triangle]))
+      if (pass > turningPass && isFlipped())
       {
-        mendAround(shop, triangle, mesh, repair);
+        mendAround(shop, triangle, isWide, mesh, repair);
       }
     }
   }

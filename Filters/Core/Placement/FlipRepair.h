@@ -37,14 +37,16 @@ enum class FlipSteps
 /**
  * 1. Finds the flipped triangles.
  * 2. For each, tries other places for its vertices (not fixed ones): the cell's centroid, its point
- *    on the surface, the mean of the neighbours, and the ways there; then turns its edges over (not
- *    those along features), if the topology stays. Each step must turn a triangle back.
- * 3. What is left after a few passes gets more places to try, and all around it may move and turn:
- *    steps need only lower what the triangles deviate from the surface's normals.
+ *    on the surface, the mean of the neighbours, and the ways there. Each step must turn a triangle
+ *    back.
+ * 3. Turns edges of what is left over (not those along features), if the topology stays.
+ * 4. What is left then gets more places to try, and what is around it may move and turn: steps need
+ *    only lower what the triangles deviate from the surface's normals, but they are undone if the
+ *    triangle stays flipped.
  *
  * Without turned edges, it ends after step 2.
  *
- * Steps 2 and 3 go from triangle to triangle in order: flipped ones are few. They end when nothing
+ * Steps 2 to 4 go from triangle to triangle in order: flipped ones are few. They end when nothing
  * is flipped, or nothing helps.
  *
  * @param surfacePlaces K, the points of the surface closest to the centroids.
