@@ -22,6 +22,7 @@ constexpr int settledRefinements = 1;
 constexpr int mostAdjustments = 10;   // of the number of vertices
 constexpr int settledAdjustments = 2; // later ones change nothing but what they must
 constexpr int mostFlipRounds = 3;     // in which sites go to flipped triangles
+constexpr double fewFlips = 2e-5;     // of the triangles: left to turned edges
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 }
 
@@ -188,7 +189,9 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
     repair.scoreOfBest = worstScore; // flipped triangles were not counted yet
   }
   keepBest(task.options, result, repair);
-  if (flipped.empty() || repair.flipRounds >= mostFlipRounds || isHopeless(repair.flips, result))
+  const double few = fewFlips * static_cast<double>(result.dual.triangles.size());
+  if (static_cast<double>(repair.flips) <= few || repair.flipRounds >= mostFlipRounds ||
+    isHopeless(repair.flips, result))
   {
     return 0;
   }

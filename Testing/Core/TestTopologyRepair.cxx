@@ -1,10 +1,12 @@
 // Delaunay/TopologyRepair: thin spikes, with too few sites around their tips, come out closed.
 
 #include "Delaunay/TopologyRepair.h"
+#include "Embedding/Distance.h"
 #include "Embedding/Embedding.h"
 #include "Remesh.h"
 #include "TestDuals.h"
 
+#include <limits>
 #include <set>
 
 using namespace remesh;
@@ -89,7 +91,7 @@ void testMovesOnlyDonors()
     CHECK_EQUAL(count > 0, !certificate.holds());
     CHECK(count <= certificate.violations());
     const Index kept = 700;
-    for (const Index extra : { 0, 2 })
+    for (const Index extra : { 0, 2, 400 })
     {
       Sites revised = sites;
       const Revision revision = reviseSites(places, made.components, made.dual, certificate,
@@ -109,8 +111,20 @@ void testMovesOnlyDonors()
       }
       CHECK_EQUAL(stayed, sites.count() - revision.removed);
       // The last ones are those that were not to go.
-      CHECK(std::equal(sites.site(sites.count() - kept), sites.site(sites.count() - kept) + 3 * kept,
-        revised.site(revised.count() - revision.added - kept)));
+      CHECK(
+        std::equal(sites.site(sites.count() - kept), sites.site(sites.count() - kept) + 3 * kept,
+          revised.site(revised.count() - revision.added - kept)));
+      // No two come to the same vertex of the diagram.
+      double least = std::numeric_limits<double>::infinity();
+      for (Index i = revised.count() - revision.added; i < revised.count(); ++i)
+      {
+        for (Index j = revised.count() - revision.added; j < i; ++j)
+        {
+          least =
+            std::min(least, squaredDistance<Eigen::Dynamic>(revised.site(i), revised.site(j), 3));
+        }
+      }
+      CHECK(least > 1e-12);
     }
     seen += count > 0;
   }
@@ -131,8 +145,8 @@ void testExtraPoints()
     CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
     CHECK_EQUAL(result.wantedVertices, 4);
     CHECK_EQUAL(result.topology.preserved(), most > 2);
-    CHECK_EQUAL(result.topology.mesh.eulerCharacteristic == 0 && result.topology.preserved(),
-      most > 2);
+    CHECK_EQUAL(
+      result.topology.mesh.eulerCharacteristic == 0 && result.topology.preserved(), most > 2);
     CHECK(result.components.count() <= 4 + most);
     CHECK(most <= 2 || result.components.count() >= 7); // of each triangulation of a torus
     CHECK(most <= 2 || result.components.count() < 80);

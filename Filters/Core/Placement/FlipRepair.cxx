@@ -12,9 +12,18 @@ namespace
 {
 constexpr int movingPasses = 3; // in which vertices move, and every step must turn a triangle back
 constexpr int turningPass = 3;  // in which edges may turn, too
-constexpr int mostPasses = 13;
+constexpr int mostPasses = 15;
 constexpr double leastGain = 0.02; // in later ones
 constexpr std::size_t mostSamples = 12;
+
+/** What may change around a triangle that nothing helps alone. */
+enum class Effort
+{
+  OwnStars,   ///< the stars of its corners; undone if that does not help
+  Neighbours, ///< those of their neighbours, too; undone if that does not help
+  KeptAnyway, ///< the same, and it stays: something may help later
+  Everything  ///< has been done
+};
 
 /** What a repair reads, and the least gain of a step in the pass it is in. */
 struct Workshop
@@ -140,25 +149,28 @@ void mend(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRepair& 
 }
 
 /** The corners of a triangle, or all that share a triangle with one of them; ascending. */
-std::vector<Index> verticesAround(Index triangle, bool isWide, const RepairedMesh& mesh)
+std::vector<Index> verticesAround(Index triangle, Effort effort, const RepairedMesh& mesh)
 {
   const Triple& corners = mesh.triangles()[triangle];
   std::vector<Index> vertices(corners.begin(), corners.end());
   for (const Index vertex : corners)
   {
-    const std::vector<Index> around = isWide ? mesh.neighbours(vertex) : std::vector<Index>();
-    vertices.insert(vertices.end(), around.begin(), around.end());
+    if (effort != Effort::OwnStars)
+    {
+      const std::vector<Index> around = mesh.neighbours(vertex);
+      vertices.insert(vertices.end(), around.begin(), around.end());
+    }
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
 
-/** The same for all around a triangle that nothing helps alone; undone if it does not help. */
+/** The same for what is around a triangle that nothing helps alone. */
 void mendAround(
-  const Workshop& shop, Index triangle, bool isWide, RepairedMesh& mesh, FlipRepair& repair)
+  const Workshop& shop, Index triangle, Effort effort, RepairedMesh& mesh, FlipRepair& repair)
 {
-  const std::vector<Index> vertices = verticesAround(triangle, isWide, mesh);
+  const std::vector<Index> vertices = verticesAround(triangle, effort, mesh);
   std::vector<std::pair<Index, Point3>> moved;
   std::vector<RepairedMesh::Turn> turned;
   for (const Index vertex : vertices)
@@ -187,7 +199,7 @@ void mendAround(
       }
     }
   }
-  if (mesh.isFlipped(mesh.triangles()[triangle]))
+  if (effort != Effort::KeptAnyway && mesh.isFlipped(mesh.triangles()[triangle]))
   {
     std::for_each(turned.rbegin(), turned.rend(), [&](const auto& back) { mesh.apply(back); });
     std::for_each(moved.rbegin(), moved.rend(),
@@ -197,6 +209,13 @@ void mendAround(
   repair.movedVertices += static_cast<Offset>(moved.size());
   repair.flippedEdges += static_cast<Offset>(turned.size());
 }
+
+struct Repaired
+{
+  std::vector<Triple> triangles;
+  std::vector<Point3> positions;
+  FlipRepair repair;
+};
 }
 
 Status findFlipped(const NearbySurface& surface, const std::vector<Triple>& triangles,
@@ -233,7 +252,8 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   repair = FlipRepair{};
   RepairedMesh mesh(problem, surface, shapes, triangles, positions);
   Offset doneBefore = 0;
-  bool isWide = false; // only where nothing else helps
+  Effort effort = Effort::OwnStars;
+  Repaired before; // the steps that are not undone one by one
   std::vector<Index> flipped;
   for (int pass = 0;; ++pass)
   {
@@ -245,11 +265,21 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
     const Offset done = repair.movedVertices + repair.flippedEdges;
     const bool stuck = pass > turningPass + 1 && done == doneBefore;
     const int passes = steps == FlipSteps::Move ? movingPasses : mostPasses;
-    if (repair.flippedTriangles == 0 || pass == passes || (stuck && isWide))
+    effort = stuck ? static_cast<Effort>(static_cast<int>(effort) + 1) : effort;
+    if (stuck && effort == Effort::KeptAnyway)
     {
+      before = { triangles, positions, repair };
+    }
+    if (repair.flippedTriangles == 0 || pass == passes || effort == Effort::Everything)
+    {
+      if (!before.triangles.empty() && repair.flippedTriangles >= before.repair.flippedTriangles)
+      {
+        triangles = before.triangles;
+        positions = before.positions;
+        repair = before.repair;
+      }
       return Status::success();
     }
-    isWide = isWide || stuck;
     doneBefore = done;
     const Workshop shop{ problem, surfacePlaces, control, pass >= turningPass,
       pass <= turningPass ? flippedCost : leastGain };
@@ -266,7 +296,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
       }
       if (pass > turningPass && isFlipped())
       {
-        mendAround(shop, triangle, isWide, mesh, repair);
+        mendAround(shop, triangle, effort, mesh, repair);
       }
     }
   }

@@ -41,8 +41,8 @@ enum class FlipSteps
  *    back.
  * 3. Turns edges of what is left over (not those along features), if the topology stays.
  * 4. What is left then gets more places to try, and what is around it may move and turn: steps need
- *    only lower what the triangles deviate from the surface's normals, but they are undone if the
- *    triangle stays flipped.
+ *    only lower what the triangles deviate from the surface's normals. They are undone if the
+ *    triangle stays flipped, until all else has been tried.
  *
  * Without turned edges, it ends after step 2.
  *
