@@ -1,12 +1,15 @@
 #include "MeshDistance.h"
 
+#include <algorithm>
+
 namespace remesh
 {
 namespace
 {
 constexpr std::size_t mostExamined = 100000;
-constexpr Offset fewestSamples = 2000; // of each surface, however few its triangles
+constexpr Offset fewestSamples = 20000; // of each surface, however few its triangles
 constexpr Offset samplesOfTriangle = 3;
+constexpr Offset manySamples = 60000; // beyond which one of each triangle does
 
 /** Every k-th triangle, so that there are `mostExamined` at most. */
 std::vector<Triple> examinedOf(const std::vector<Triple>& triangles)
@@ -19,7 +22,6 @@ std::vector<Triple> examinedOf(const std::vector<Triple>& triangles)
   }
   return some;
 }
-
 }
 
 Triangles trianglesOf(const SurfaceMesh& mesh)
@@ -40,7 +42,9 @@ Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshRe
   const auto measure = [&](const Triangles& from, const Triangles& to, OneSidedDistance& distance)
   {
     const std::vector<Triple> some = examinedOf(from.triangles);
-    options.numberOfSamples = fewestSamples + samplesOfTriangle * static_cast<Offset>(some.size());
+    const auto count = static_cast<Offset>(some.size());
+    options.numberOfSamples =
+      fewestSamples + std::min(samplesOfTriangle * count, std::max(manySamples, count));
     const TriangleTree tree(to, control);
     return !tree.empty() &&
       measureOneSidedDistance({ from.points, some }, tree, options, control, distance).ok();

@@ -74,6 +74,21 @@ void testPlanes()
   CHECK(tilted.backward.maximum > 1.9); // the corner of the plane at (-1.5, -1.5)
 }
 
+/** A sphere that crosses each triangle: few samples give what many do. */
+void testFewSamples()
+{
+  const TriangleSoup coarse = scaled(icosphere(3), 1.0036);
+  const TriangleSoup fine = icosphere(6);
+  DistanceOptions options = quick();
+  options.boundTolerance = -1.0;
+  options.numberOfSamples = 400000;
+  const TwoSidedDistance exact = distanceOf(coarse, fine, options);
+  options.numberOfSamples = 3 * static_cast<Offset>(coarse.triangles.size());
+  const TwoSidedDistance rough = distanceOf(coarse, fine, options);
+  CHECK_NEAR(rough.forward.rms, exact.forward.rms, 0.02 * exact.forward.rms);
+  CHECK_NEAR(rough.backward.rms, exact.backward.rms, 0.02 * exact.backward.rms);
+}
+
 /** A polyhedron in the unit sphere, and the same 10 % larger. */
 void testSpheres()
 {
@@ -252,6 +267,7 @@ void testSchedules()
 int TestSurfaceDistance(int, char*[])
 {
   testPlanes();
+  testFewSamples();
   testSpheres();
   testBound();
   testFailures();

@@ -13,7 +13,6 @@ namespace
 {
 constexpr Offset wantedBlocks = 1024;
 constexpr Offset longestBlock = 4096;
-constexpr int samplesPerPart = 3;
 
 /** Integrals over a part of the surface. */
 struct Sums
@@ -32,12 +31,26 @@ struct Sums
   }
 };
 
-/** Of a triangle by one corner and two edges; of equal weight. */
-std::array<Point3, samplesPerPart> quadraturePoints(
-  const Point3& corner, const Point3& u, const Point3& v)
+/** A point of a triangle, by barycentric coordinates, and the share of the area it stands for. */
+struct QuadraturePoint
 {
-  return { corner + (u + v) / 6.0, corner + (4.0 * u + v) / 6.0, corner + (u + 4.0 * v) / 6.0 };
-}
+  double u;
+  double v;
+  double weight;
+};
+
+/**
+ * Exact up to degree 4: the squared distance of a triangle that a smooth surface crosses [D. A.
+ * Dunavant, "High degree efficient symmetrical Gaussian quadrature rules for the triangle", 1985].
+ */
+constexpr std::array<QuadraturePoint, 6> quadrature = { {
+  { 0.445948490915965, 0.445948490915965, 0.223381589678011 },
+  { 0.445948490915965, 0.108103018168070, 0.223381589678011 },
+  { 0.108103018168070, 0.445948490915965, 0.223381589678011 },
+  { 0.091576213509771, 0.091576213509771, 0.109951743655322 },
+  { 0.091576213509771, 0.816847572980459, 0.109951743655322 },
+  { 0.816847572980459, 0.091576213509771, 0.109951743655322 },
+} };
 
 /** Visits the k^2 congruent parts of a triangle by one corner and two edges. */
 template <class Visit>
@@ -59,12 +72,31 @@ void visitParts(const std::array<Point3, 3>& p, Offset k, const Visit& visit)
   }
 }
 
+/** For each corner of each triangle with area, whether its point has come for the first time. */
+std::vector<char> firstCorners(const Triangles& surface)
+{
+  std::vector<char> seen(surface.points.size(), 0);
+  std::vector<char> isFirst(3 * surface.triangles.size(), 0);
+  for (Offset t = 0; t < surface.count(); ++t)
+  {
+    const auto [a, b, c] = surface.corners(t);
+    for (int k = 0; k < 3 && hasArea(a, b, c); ++k)
+    {
+      char& point = seen[surface.triangles[t][k]];
+      isFirst[3 * t + k] = point == 0;
+      point = 1;
+    }
+  }
+  return isFirst;
+}
+
 /** Samples triangles; each search begins at the triangle that the one before found. */
 struct Sampler
 {
   const Triangles& from;
   const TriangleTree& to;
   double samplesPerArea;
+  const std::vector<char>& isFirst; ///< T x 3, see firstCorners
   Sums sums;
   Index hint = noIndex;
 
@@ -73,6 +105,20 @@ struct Sampler
     const TriangleTree::Place place = this->to.closest(point, this->hint);
     this->hint = place.slot;
     return place.at.squared;
+  }
+
+  /** Places of equal weight: too few for a rule that is exact. */
+  void sampleAtRandom(Offset triangle, const std::array<Point3, 3>& p, double area, int count)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      const auto random = [&](int which)
+      { return uniform01(static_cast<std::uint64_t>(triangle), 2 * k + which, 0); };
+      const double root = std::sqrt(random(0));
+      const double v = random(1) * root;
+      this->sums.add(
+        area / count, this->squaredDistance(p[0] + (root - v) * (p[1] - p[0]) + v * (p[2] - p[0])));
+    }
   }
 
   void sample(Offset triangle)
@@ -84,30 +130,30 @@ struct Sampler
     }
     const double area = facetArea(p[0], p[1], p[2]);
     const double wanted = area * this->samplesPerArea;
-    if (wanted < 1.0)
+    if (wanted < static_cast<double>(quadrature.size()))
     {
-      const std::array<Point3, samplesPerPart> places =
-        quadraturePoints(p[0], p[1] - p[0], p[2] - p[0]);
-      const std::uint64_t which = mixBits(static_cast<std::uint64_t>(triangle)) % samplesPerPart;
-      this->sums.add(area, this->squaredDistance(places[which]));
+      this->sampleAtRandom(triangle, p, area, static_cast<int>(std::ceil(wanted)));
     }
     else
     {
-      const auto k = static_cast<Offset>(std::ceil(std::sqrt(wanted / samplesPerPart)));
-      const double weight = area / (static_cast<double>(k * k) * samplesPerPart);
+      const auto k = static_cast<Offset>(std::ceil(std::sqrt(wanted / quadrature.size())));
+      const double part = area / static_cast<double>(k * k);
       visitParts(p, k,
         [&](const Point3& corner, const Point3& u, const Point3& v)
         {
-          for (const Point3& place : quadraturePoints(corner, u, v))
+          for (const QuadraturePoint& at : quadrature)
           {
-            this->sums.add(weight, this->squaredDistance(place));
+            this->sums.add(part * at.weight, this->squaredDistance(corner + at.u * u + at.v * v));
           }
         });
     }
-    for (const Point3& corner : p)
+    for (int k = 0; k < 3; ++k)
     {
-      this->sums.largestSquared =
-        std::max(this->sums.largestSquared, this->squaredDistance(corner));
+      if (this->isFirst[3 * triangle + k])
+      {
+        this->sums.largestSquared =
+          std::max(this->sums.largestSquared, this->squaredDistance(p[k]));
+      }
     }
   }
 };
@@ -131,12 +177,13 @@ Status sampleSurface(const Triangles& from, const TriangleTree& to, Offset numbe
   {
     return Status::invalid("The surface has no triangle with a finite area above 0.");
   }
+  const std::vector<char> isFirst = firstCorners(from);
   const Blocks blocks = Blocks::cut(from.count(), wantedBlocks, longestBlock);
   std::vector<Sums> sums(static_cast<std::size_t>(blocks.count()));
   if (!forEachBlock(blocks.count(), control,
         [&](Offset block)
         {
-          Sampler sampler{ from, to, static_cast<double>(numberOfSamples) / area, {} };
+          Sampler sampler{ from, to, static_cast<double>(numberOfSamples) / area, isFirst, {} };
           for (Offset t = blocks.begin(block); t < blocks.end(block); ++t)
           {
             sampler.sample(t);

@@ -57,13 +57,13 @@ struct TwoSidedDistance
 
 /**
  * 1. Cuts each triangle into k^2 equal parts, with k so that the parts have about equal area, and
- *    takes three points on each, with which squares of linear functions are integrated exactly
- *    (G. Strang, G. Fix, "An Analysis of the Finite Element Method", 1973). Of a triangle smaller
- *    than one sample's share it takes one of its three points, by a hash of its number.
+ *    takes six points on each, with which squares of quadratic functions are integrated exactly.
+ *    On a triangle too small for six it takes as many as it is due, at least one, at places by a
+ *    hash of its number.
  * 2. The largest distance is looked for there and at the corners, and further by step 3.
  * 3. Bounds the maximum (MaximumBound.h).
  *
- * Triangles without area are left out of both surfaces. No point is random.
+ * Triangles without area are left out of both surfaces. The same points are taken each time.
  *
  * @param to has triangles.
  * @return InvalidInput if no triangle of `from` has area, or its area is beyond all doubles;
