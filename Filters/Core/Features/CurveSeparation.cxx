@@ -11,8 +11,8 @@ namespace remesh
 namespace
 {
 constexpr int mostRounds = 32;
-constexpr double leastSection = 0.05; // of the spacing
-constexpr double leastGap = 0.1;      // of a section
+constexpr double leastSection = 0.02; // of the spacing
+constexpr double leastGap = 0.05;     // of a section
 constexpr double rounding = 1e-12;    // of squared distances
 
 /** A site that is nearer to a place of a curve than the curve's own. */

@@ -20,7 +20,7 @@ namespace remesh
  *
  * A curve is divided at the foot of a site that is too near; where the curves of both meet in a
  * corner, at the site's distance from the corner. Left as they are: sections shorter than a
- * twentieth of `spacing`, in R^d. At a corner where the metrics of several sides contradict each
+ * fiftieth of `spacing`, in R^d. At a corner where the metrics of several sides contradict each
  * other, sites of one curve can stay too near to another.
  *
  * @param featureSites those of the stations; brought up to date, too.
