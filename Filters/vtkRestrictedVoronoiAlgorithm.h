@@ -93,9 +93,9 @@ public:
    *   as far as no triangle turns over or collapses. The distance to the surface is about a third
    *   of that of CENTROID.
    *
-   * Points where a triangle would face against the surface are put elsewhere in all cases, and if
-   * that does not help, edges are turned over, for at most one triangle in 2000. See the field
-   * array `NumberOfFlippedTriangles` for what is left.
+   * Points where a triangle would face against the surface are put elsewhere in all cases, and only
+   * where that does not help, edges are turned over: these triangles are not the dual of the cells.
+   * See the field array `NumberOfFlippedTriangles` for what is left.
    */
   vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);
   vtkGetMacro(VertexPlacement, int);
