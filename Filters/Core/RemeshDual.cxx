@@ -14,9 +14,10 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 100;   // of changes
-constexpr int settlingSteps = 2;  // of Lloyd, after the first repairs
-constexpr int mostSmoothings = 2; // in the end, if sites were changed without such steps
+constexpr int mostRounds = 100;          // of changes
+constexpr int settlingSteps = 2;         // of Lloyd, after the first repairs
+constexpr int mostSmoothings = 2;        // in the end, if sites were changed without such steps
+constexpr double sitesForOneMore = 2e-3; // of all, that were
 
 /** The dual of the diagram, and whether it is proven to be like the surface. */
 Status dualize(const Task& task, const std::vector<Index>& owners, const RunControl& control,
@@ -127,7 +128,7 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       break;
     }
     result.movedSites += moved;
-    if (othersMustStay(repair))
+    if (othersMustStay(moved, repair))
     {
       roundToCaller(task.surface, result.sites); // nothing is to change but what was touched
       continue;
@@ -150,8 +151,9 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
 Status smooth(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   Stopwatch watch;
-  bool broken = !repair.unsettled || !result.topology.certificate.holds();
-  for (int round = 0; round < mostSmoothings && !broken; ++round)
+  bool broken = repair.unsettledSites == 0 || !result.topology.certificate.holds();
+  const bool areFew = repair.unsettledSites < sitesForOneMore * result.sites.count();
+  for (int round = areFew ? 1 : 0; round < mostSmoothings && !broken; ++round)
   {
     const Index count = result.components.count();
     const std::size_t intrusions = result.seams.intrusions.size();

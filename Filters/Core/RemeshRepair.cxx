@@ -22,7 +22,7 @@ constexpr int settledRefinements = 1;
 constexpr int mostAdjustments = 10;   // of the number of vertices
 constexpr int settledAdjustments = 2; // later ones change nothing but what they must
 constexpr int mostFlipRounds = 3;     // in which sites go to flipped triangles
-constexpr double fewFlips = 2e-5;     // of the triangles: left to turned edges
+constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 }
 
@@ -250,11 +250,11 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   return result.topology.certificate.holds() ? 0 : mendFlips();
 }
 
-bool othersMustStay(Repair& repair)
+bool othersMustStay(Index touched, Repair& repair)
 {
   const bool repaired = repair.adjustments > settledAdjustments ||
     repair.stage != RepairStage::Refine || repair.rounds > settledRepairs || repair.flipRounds > 0;
-  repair.unsettled |= repaired;
+  repair.unsettledSites += repaired ? touched : 0;
   return repaired || repair.refinements > settledRefinements;
 }
 }

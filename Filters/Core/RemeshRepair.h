@@ -52,8 +52,8 @@ struct Repair
   Index addedSites = 0;
   Offset extraPoints = 0;
   int flipRounds = 0;
-  Offset flips = 0;       ///< flipped triangles; 0 as long as the topology is being repaired
-  bool unsettled = false; ///< sites were changed without Lloyd's steps after
+  Offset flips = 0;         ///< flipped triangles; 0 as long as the topology is being repaired
+  Index unsettledSites = 0; ///< that were changed without Lloyd's steps after
 
   SiteState best;
   Score scoreOfBest = worstScore;
@@ -79,7 +79,7 @@ std::vector<Index> flippedTriangles(
 Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result);
 
 /** Whether the last sites touched are to be the only ones that change; if so, notes it. */
-bool othersMustStay(Repair& repair);
+bool othersMustStay(Index touched, Repair& repair);
 }
 
 #endif
