@@ -14,7 +14,8 @@
  * Where the mesh is not proven to have the topology of the surface (see `TopologyPreserved`), as on
  * thin parts and at tips, sites are added, and those that matter least are taken away, until it is
  * or nothing helps any more; then the mesh may have more points (`MaximumNumberOfExtraPoints`). If
- * even that fails, the best of these meshes is given back, with a warning. All this is no part of
+ * even that fails, the best of these meshes is given back, with a warning. Sites are sent to
+ * triangles that face against the surface, likewise. All this is no part of
  * the optimisation: `Convergence` ends before it, and nothing is changed when both numbers of
  * iterations are 0.
  *
@@ -97,7 +98,8 @@ public:
    * it has more points than asked for where restricted cells are not connected.
    *
    * Features take points of their own, which count among `NumberOfPoints` and do not move; where
-   * they need more than half of them, there is a warning. Creases that are small against the
+   * corners and bends need more than half of them, there is a warning. Curves close to each other
+   * get more, up to nine tenths in all. Creases that are small against the
    * spacing of the points, or that zigzag and branch like noise, are not kept.
    *
    * Not with given initial sites.

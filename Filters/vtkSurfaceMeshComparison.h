@@ -42,7 +42,8 @@
  *   `QualityTriangles`, `MinimumAngleTriangles` and `NormalDeviationTriangles` the counts.
  *
  * Distances are between all points of the surfaces, not between vertices: means are integrals over
- * the area, by quadrature at about NumberOfSamples fixed places on each surface. `MaximumDistance`
+ * the area, by quadrature, or on triangles with fewer than six places by their mean, at about
+ * NumberOfSamples fixed places on each surface. `MaximumDistance`
  * is the largest distance found, so the true (Hausdorff) distance is not less; it is not more than
  * `MaximumDistanceBound` (but for rounding). The bound is refined until it is at most 1 % above the
  * maximum or a millionth of the diagonal; on surfaces that are very close to each other for their

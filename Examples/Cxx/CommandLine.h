@@ -25,9 +25,9 @@ struct Options
   double Tolerance = 0.0;   // fraction of the bounding-box diagonal; 0: none
   double Anisotropy = 0.04; // fraction of the bounding-box diagonal
   bool PreserveFeatures = true;
-  double FeatureAngle = 35.0; // degrees
-  std::string Labels;         // cell array; "": none
-  std::string Density;        // point array; "": none
+  double FeatureAngle = 35.0;  // degrees
+  std::string Labels;          // cell array; "": none
+  std::string Density;         // point array; "": none
   int MaximumExtraPoints = -2; // one percent of the points; -1: unlimited
   int LloydIterations = 5;
   int NewtonIterations = 30;

@@ -25,9 +25,13 @@ Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResul
   result.stations = sampleCurves(task.mesh, task.surface, *task.features, options.numberOfSites,
     options.mostCurveError, result.neededFeaturePoints);
   result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
-  separateCurves(task.mesh, task.surface, *task.features, task.mostPointsOnFeatures(),
-    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)),
+  separateCurves(task.mesh, task.surface, *task.features, task.mostPointsOnFeatures(0),
+    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)), control,
     result.stations, result.featureSites);
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
   result.sites = result.featureSites.sites;
   const std::vector<Offset> counts = shareOutSites(task.mesh, task.surface, *task.features,
     result.featureSites, options.numberOfSites - result.featureSites.numberOfPoints());

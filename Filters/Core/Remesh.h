@@ -5,11 +5,13 @@
  * surface -> sites -> Lloyd -> quasi-Newton -> restricted Voronoi diagram -> components -> dual
  * -> vertices placed
  *
- * With features, the sites on them come first and stay (Features/), the others are drawn patch by
- * patch, and the patches' duals are sewn together along the curves (Delaunay/Collar.h).
+ * With features, the sites on them come first and stay (Features/), so many that curves close to
+ * each other are kept apart (CurveSeparation.h); the others are drawn patch by patch, and the
+ * patches' duals are sewn together along the curves (Delaunay/Collar.h).
  *
- * Where the dual is not proven to be like the surface (Delaunay/Certificate.h), sites are moved
- * there; where a cell reaches a feature curve, its site joins the curve; and the end is run again.
+ * Where the dual is not proven to be like the surface (Delaunay/Certificate.h), or triangles are
+ * flipped, sites are moved there; where a cell reaches a feature curve, its site joins the curve;
+ * and the end is run again.
  */
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h

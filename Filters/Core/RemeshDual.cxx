@@ -123,6 +123,7 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
     result.seconds.diagram += watch.lap();
     const Index moved =
       mayRepair && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
+    result.seconds.repair += watch.lap();
     if (moved == 0)
     {
       break;
@@ -139,12 +140,17 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
     }
     result.seconds.repair += watch.lap();
   }
-  if (scoreOf(options, result, repair) <= repair.scoreOfBest)
+  const bool nothingBetter = scoreOf(options, result, repair) <= repair.scoreOfBest;
+  const bool onlyThisHolds = result.topology.certificate.holds() && std::get<1>(repair.scoreOfBest);
+  if (nothingBetter || onlyThisHolds)
   {
     return Status::success();
   }
+  Stopwatch watch;
   restoreState(repair, result);
-  return diagramAndDual(task, rest.silent(), result);
+  Status status = diagramAndDual(task, rest.silent(), result);
+  result.seconds.diagram += watch.lap();
+  return status;
 }
 
 /** Spreads the sites evenly where some were taken away, as far as nothing breaks. */

@@ -15,12 +15,13 @@ namespace remesh
  *
  * 1. where cells reach a feature curve, their sites join the curve;
  * 2. where the certificate fails, sites are added, and others taken away (RepairStage);
- * 3. where triangles are flipped, sites come, and others go;
- * 4. where the number of vertices is not what was asked for, sites are added or taken away.
+ * 3. where the number of vertices is not what was asked for, sites are added or taken away;
+ * 4. where triangles are flipped, sites are added, and others taken away.
  *
  * The first changes are followed by a few steps of Lloyd's; later ones change nothing but what they
- * must, until in the end all sites take a few steps again, as far as the certificate holds. If it
- * fails to the end, the state where it fails at fewest places counts.
+ * must. If there were such, all sites but those added and those around them take a few steps again
+ * in the end, as far as the certificate holds and no more triangles are flipped. The state with the
+ * best score (RemeshRepair.h) counts.
  *
  * @param result its sites are given, and change.
  * Cost: of each round about that of three steps of Lloyd's, less where these are left out.

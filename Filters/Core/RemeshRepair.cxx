@@ -29,7 +29,7 @@ constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 void keepState(const RemeshResult& result, Repair& repair)
 {
   repair.best = { result.sites, result.stations, result.featureSites, repair.addedSites,
-    repair.extraPoints, repair.flips };
+    repair.extraPoints, repair.flips, repair.unsettledSites };
 }
 
 void restoreState(Repair& repair, RemeshResult& result)
@@ -40,6 +40,7 @@ void restoreState(Repair& repair, RemeshResult& result)
   repair.addedSites = repair.best.addedSites;
   repair.extraPoints = repair.best.extraPoints;
   repair.flips = repair.best.flips;
+  repair.unsettledSites = repair.best.unsettledSites;
 }
 
 Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
@@ -132,7 +133,7 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
   Refinement refinement = refineTopology({ task.surface, result.sites, result.diagram },
     result.components, result.dual, result.topology.certificate, cutTips);
   const auto count = static_cast<Offset>(refinement.added.size()) / task.surface.dimension;
-  const Offset extra = repair.stage == RepairStage::BeyondNumber
+  const Offset extra = repair.stage == RepairStage::BeyondNumber && repair.flipRounds == 0
     ? std::min(count, task.options.maximumExtraPoints - repair.extraPoints)
     : 0;
   const Offset before = task.options.exactNumber ? task.options.numberOfSites + repair.extraPoints
@@ -186,7 +187,13 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   repair.flips = static_cast<Offset>(flipped.size());
   if (repair.flipRounds == 0 && !result.topology.certificate.holds())
   {
+    repair.flips = 0;
+    if (scoreOf(task.options, result, repair) > repair.scoreOfBest)
+    {
+      return 0; // the best one is restored in the end
+    }
     repair.scoreOfBest = worstScore; // flipped triangles were not counted yet
+    repair.flips = static_cast<Offset>(flipped.size());
   }
   keepBest(task.options, result, repair);
   const double few = fewFlips * static_cast<double>(result.dual.triangles.size());
@@ -197,6 +204,7 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   }
   ++repair.flipRounds;
   repair.rounds = 0;
+  repair.idleRounds = 0;
   repair.adjustments = std::min(repair.adjustments, settledAdjustments);
   Certificate failures;
   for (const Index t : flipped)
@@ -218,7 +226,8 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   if (task.features && repair.refinements < mostRefinements)
   {
     const Index touched = refineCurves(task.mesh, task.surface, *task.features, result.seams,
-      task.mostPointsOnFeatures(), result.stations, result.featureSites, result.sites);
+      task.mostPointsOnFeatures(result.numberOfVertexSites()), control, result.stations,
+      result.featureSites, result.sites);
     if (touched > 0)
     {
       ++repair.refinements;
@@ -235,19 +244,18 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
       return touched;
     }
   }
-  const auto mendFlips = [&]() { return repairFlips(task, control, repair, result); };
-  if (const Index touched = result.topology.certificate.holds() ? mendFlips() : 0; touched > 0)
-  {
-    return touched;
-  }
   const Offset wanted = task.options.numberOfSites + repair.extraPoints;
   if (task.options.exactNumber && repair.adjustments < mostAdjustments &&
     result.components.count() != wanted)
   {
     ++repair.adjustments;
-    return revise({}, result.topology.certificate, wanted, task, repair, result);
+    if (const Index touched = revise({}, result.topology.certificate, wanted, task, repair, result);
+        touched > 0)
+    {
+      return touched;
+    }
   }
-  return result.topology.certificate.holds() ? 0 : mendFlips();
+  return repairFlips(task, control, repair, result);
 }
 
 bool othersMustStay(Index touched, Repair& repair)

@@ -21,6 +21,7 @@ struct SiteState
   Index addedSites = 0; ///< by repairs; about the last ones there are
   Offset extraPoints = 0;
   Offset flips = 0;
+  Index unsettledSites = 0;
 };
 
 /** How the topology is repaired, one after the other. */
@@ -71,7 +72,7 @@ std::vector<Index> flippedTriangles(
 
 /**
  * Mends the first of these that is wrong: cells that reach a curve between its sites, the topology,
- * flipped triangles, the number of vertices.
+ * the number of vertices, flipped triangles.
  *
  * @param result with the diagram and dual of its sites, which change.
  * @return the number of sites touched; 0 if there is nothing to mend that can be.

@@ -7,6 +7,7 @@
 
 #include "Remesh.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace remesh
@@ -35,8 +36,11 @@ struct Task
   const Features* features; ///< nullptr: none
   const RemeshOptions& options;
 
-  /** Of the vertices, to keep curves apart. */
-  Offset mostPointsOnFeatures() const { return this->options.numberOfSites * 9 / 10; }
+  /** To keep curves apart, of so many vertices that there are, or of those asked for. */
+  Offset mostPointsOnFeatures(Offset vertices) const
+  {
+    return std::max(this->options.numberOfSites, vertices) * 9 / 10;
+  }
 };
 }
 

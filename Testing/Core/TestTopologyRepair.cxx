@@ -7,6 +7,7 @@
 #include "TestDuals.h"
 
 #include <limits>
+#include <numeric>
 #include <set>
 
 using namespace remesh;
@@ -131,6 +132,39 @@ void testMovesOnlyDonors()
   CHECK(seen > 0);
 }
 
+/** A site for a triangle comes as far from all three of its sites; none comes to its neighbours. */
+void testRefineTriangles()
+{
+  const SurfaceMesh mesh = spikySphere();
+  const EmbeddedSurface surface = inSpace(mesh);
+  const test::Computed result = test::computed(surface, test::sampled(surface, 1500, 0));
+  const test::DualOf made = test::dualOf(mesh, surface, result);
+  const VertexPlaces places{ surface, result.sites, result.diagram };
+  const auto count = static_cast<Index>(made.dual.triangles.size());
+  for (Index t = 0; t < count; t += 50)
+  {
+    const Refinement refinement =
+      refineTriangles(places, made.components, made.dual, { t, (t + 1) % count, t });
+    CHECK(refinement.removed.empty());
+    CHECK(refinement.added.size() == 3 || refinement.added.size() == 6);
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const Index vertex : made.dual.triangles[t])
+    {
+      const double* site = result.sites.site(made.components.sites[vertex]);
+      const double squared = squaredDistance<Eigen::Dynamic>(site, refinement.added.data(), 3);
+      least = std::min(least, squared);
+      most = std::max(most, squared);
+    }
+    CHECK_NEAR(most, least, 1e-12);
+  }
+  std::vector<Index> all(made.dual.triangles.size());
+  std::iota(all.begin(), all.end(), Index(0));
+  const Refinement refinement = refineTriangles(places, made.components, made.dual, all);
+  CHECK(refinement.added.size() / 3 <= static_cast<std::size_t>(made.components.count()) / 3);
+  CHECK(refinement.meetings.size() == refinement.added.size() / 3);
+}
+
 /** Four sites are too few for a torus: as many more as it takes, as many as allowed, or none. */
 void testExtraPoints()
 {
@@ -186,6 +220,7 @@ int TestTopologyRepair(int, char*[])
 {
   testSpikes();
   testMovesOnlyDonors();
+  testRefineTriangles();
   testExtraPoints();
   testNothingAsked();
   testHopeless();

@@ -34,7 +34,7 @@ struct DistanceOptions
 struct OneSidedDistance
 {
   double area = 0.0;         ///< of the surface
-  double mean = 0.0;         ///< over the area, by quadrature
+  double mean = 0.0;         ///< over the area, by quadrature (or few places on small triangles)
   double rms = 0.0;          ///< root mean square over the area, by quadrature
   double maximum = 0.0;      ///< the largest found: reached at a point of the surface
   double maximumBound = 0.0; ///< no point of the surface is further away (up to rounding)

@@ -3,7 +3,6 @@
 #include "Voronoi/VertexPlaces.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 namespace remesh

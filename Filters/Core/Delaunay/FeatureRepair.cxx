@@ -27,8 +27,8 @@ Sites replaceFixed(const Sites& fixed, const Sites& old, const std::vector<char>
 }
 
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Seams& seams, Offset mostPoints, Stations& stations,
-  FeatureSites& featureSites, Sites& sites)
+  const Features& features, const Seams& seams, Offset mostPoints, const RunControl& control,
+  Stations& stations, FeatureSites& featureSites, Sites& sites)
 {
   std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
   std::set<std::pair<Index, Index>> divided;
@@ -59,7 +59,8 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   }
   featureSites = makeFeatureSites(mesh, surface, features, stations);
   const double spacing = std::sqrt(surface.siteMeasure / sites.count());
-  count += separateCurves(mesh, surface, features, mostPoints, spacing, stations, featureSites);
+  count +=
+    separateCurves(mesh, surface, features, mostPoints, spacing, control, stations, featureSites);
   sites = replaceFixed(featureSites.sites, sites, removed);
   return count;
 }

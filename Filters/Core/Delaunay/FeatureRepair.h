@@ -14,15 +14,15 @@ namespace remesh
  * too coarse there: the curve gets a place at the point nearest to it, and the free site goes, so
  * that the number of vertices stays. At most one of them divides a section.
  *
- * Then the curves are kept apart again (see separateCurves), as long as there are free sites left
- * to give up for it.
+ * Then the curves are kept apart again (see separateCurves); no free site goes for these places.
  *
+ * @param mostPoints vertices on features, to keep curves apart.
  * @param stations, featureSites are brought up to date, and so are the fixed ones of `sites`.
  * @return the number of new places on the curves.
  */
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Seams& seams, Offset mostPoints, Stations& stations,
-  FeatureSites& featureSites, Sites& sites);
+  const Features& features, const Seams& seams, Offset mostPoints, const RunControl& control,
+  Stations& stations, FeatureSites& featureSites, Sites& sites);
 }
 
 #endif

@@ -180,7 +180,7 @@ private:
   {
     const std::vector<Index>& points = m_sites.curvePoints[curve];
     const std::size_t last = points.size() - 1;
-    const bool around = points.front() == points.back();
+    const bool around = !m_features.curves[curve].hasCorners;
     return (station > 0 && points[station - 1] == point) ||
       (station < last && points[station + 1] == point) ||
       (around && station == 0 && points[last - 1] == point) ||
@@ -248,8 +248,8 @@ std::vector<Intruder> worstOfSections(
 }
 
 Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset mostPoints, double spacing, Stations& stations,
-  FeatureSites& featureSites)
+  const Features& features, Offset mostPoints, double spacing, const RunControl& control,
+  Stations& stations, FeatureSites& featureSites)
 {
   const Stations before = stations;
   const Index pointsBefore = featureSites.numberOfPoints();
@@ -257,11 +257,14 @@ Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   std::map<Index, std::vector<double>> lengths;
   std::size_t found = 0; // in the first round
   bool isFull = false;
-  for (int round = 0; round < mostRounds && !featureSites.collar.empty(); ++round)
+  const auto goesOn = [&](int round)
+  { return round < mostRounds && !featureSites.collar.empty() && !control.cancelled(); };
+  for (int round = 0; goesOn(round); ++round)
   {
     const std::vector<Intruder> intruders =
       worstOfSections(Watch(mesh, surface, features, featureSites).find(), stations);
     found = round == 0 ? intruders.size() : found;
+    isFull = isFull || featureSites.numberOfPoints() >= mostPoints;
     if (isFull && 2 * intruders.size() > found)
     {
       stations = before;

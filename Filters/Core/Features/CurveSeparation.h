@@ -10,6 +10,7 @@
 #define remesh_CurveSeparation_h
 
 #include "Features/FeatureSites.h"
+#include "Support/RunControl.h"
 
 namespace remesh
 {
@@ -24,13 +25,14 @@ namespace remesh
  * other, sites of one curve can stay too near to another.
  *
  * @param featureSites those of the stations; brought up to date, too.
+ * @param control asked for cancellation; then some sites may still be too near.
  * @return the number of places added.
  * Cost: some rounds, one where nothing is too near, each O(V + F), and a neighbour search for each
  * edge of the curves.
  */
 Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset mostPoints, double spacing, Stations& stations,
-  FeatureSites& featureSites);
+  const Features& features, Offset mostPoints, double spacing, const RunControl& control,
+  Stations& stations, FeatureSites& featureSites);
 }
 
 #endif

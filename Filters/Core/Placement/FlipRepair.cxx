@@ -130,6 +130,7 @@ bool turnEdge(const Workshop& shop, Index triangle, int k, RepairedMesh& mesh,
   return true;
 }
 
+/** Moves the corners of a triangle, then turns its edges, until it is turned back. */
 void mend(const Workshop& shop, Index triangle, RepairedMesh& mesh, FlipRepair& repair)
 {
   for (const Index vertex : Triple(mesh.triangles()[triangle]))
@@ -166,7 +167,7 @@ std::vector<Index> verticesAround(Index triangle, Effort effort, const RepairedM
   return vertices;
 }
 
-/** The same for what is around a triangle that nothing helps alone. */
+/** Moves and turns what is around a triangle that nothing helps alone; see Effort. */
 void mendAround(
   const Workshop& shop, Index triangle, Effort effort, RepairedMesh& mesh, FlipRepair& repair)
 {
