@@ -60,8 +60,8 @@ remesh::Status findChosenArray(
   }
   if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    return remesh::Status::invalid(
-      std::string("The array \"") + name + "\", chosen as the " + role + ", must be a point array.");
+    return remesh::Status::invalid(std::string("The array \"") + name + "\", chosen as the " +
+      role + ", must be a point array.");
   }
   array = input->GetPointData()->GetArray(name);
   if (array || std::string(name) == "None")
@@ -132,8 +132,7 @@ double vtkEmbeddedSurfaceAlgorithm::GetCoordinateArrayScale(int index) const
 
 void vtkEmbeddedSurfaceAlgorithm::SetEmbeddingArray(const char* name)
 {
-  this->SetInputArrayToProcess(
-    1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name ? name : "");
+  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name ? name : "");
 }
 
 vtkIdType vtkEmbeddedSurfaceAlgorithm::GetNumberOfInputComponents() const
@@ -184,8 +183,7 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
     return status;
   }
   vtkInformation* embedding = self->GetInputArrayInformation(1);
-  if (remesh::Status status =
-        findChosenArray(embedding, input, "embedding", request.embedding);
+  if (remesh::Status status = findChosenArray(embedding, input, "embedding", request.embedding);
       !status.ok())
   {
     return status;
@@ -231,8 +229,9 @@ vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(
     remesh::chooseExecution(names[self->SMPBackend], self->NumberOfThreads, available);
   if (!available)
   {
-    vtkWarningWithObjectMacro(self, "This VTK has no SMP back-end "
-        << names[self->SMPBackend] << "; " << execution.backend << " is used.");
+    vtkWarningWithObjectMacro(self,
+      "This VTK has no SMP back-end " << names[self->SMPBackend] << "; " << execution.backend
+                                      << " is used.");
   }
   remesh::Status status;
   try

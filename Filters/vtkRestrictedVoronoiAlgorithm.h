@@ -4,16 +4,22 @@
  *
  * | port | data | arrays |
  * |---|---|---|
- * | 0 `Surface` | triangles, the restricted Delaunay triangulation: one point per connected component of a restricted cell, placed by `VertexPlacement` | point: `SiteId`, `ComponentId`, `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays; cell: the input's cell arrays |
- * | 1 `VoronoiCells` | convex polygons, one per facet and site (none where ties leave a point) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`, `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` |
- * | 2 `Sites` | one vertex per site | point: `SiteId`, `MergedSiteId`, `PatchId`, `Weight`, `Embedding`, `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors` |
- * | 3 `Convergence` | vtkTable | `Iteration`, `Energy`, `GradientNorm`, `StepLength`, `Time` (s) |
- * | 4 `Edges` | lines | cell: `EdgeType` (0 between two cells, 1 feature, 2 boundary, 3 non-manifold), `SiteId` (2 components, -1 for none) |
+ * | 0 `Surface` | triangles, the restricted Delaunay triangulation: one point per connected
+ * component of a restricted cell, placed by `VertexPlacement` | point: `SiteId`, `ComponentId`,
+ * `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays; cell: the
+ * input's cell arrays | | 1 `VoronoiCells` | convex polygons, one per facet and site (none where
+ * ties leave a point) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`,
+ * `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` | | 2 `Sites`
+ * | one vertex per site | point: `SiteId`, `MergedSiteId`, `PatchId`, `Weight`, `Embedding`,
+ * `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors` | | 3 `Convergence` |
+ * vtkTable | `Iteration`, `Energy`, `GradientNorm`, `StepLength`, `Time` (s) | | 4 `Edges` | lines
+ * | cell: `EdgeType` (0 between two cells, 1 feature, 2 boundary, 3 non-manifold), `SiteId` (2
+ * components, -1 for none) |
  *
  * A site on a feature of the surface (see vtkAnisotropicRemesher) has a copy in each patch and fan
- * around it, so that the mesh has one point for several sites: `MergedSiteId` is the lowest `SiteId`
- * among them, and the `SiteId` of port 0. `PatchId` numbers the parts of the surface that features
- * enclose. Such points lie on the feature, whatever `VertexPlacement` says.
+ * around it, so that the mesh has one point for several sites: `MergedSiteId` is the lowest
+ * `SiteId` among them, and the `SiteId` of port 0. `PatchId` numbers the parts of the surface that
+ * features enclose. Such points lie on the feature, whatever `VertexPlacement` says.
  *
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
  * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose
@@ -24,10 +30,10 @@
  * to surface or back; with a distance tolerance a bound that no point passes) and `RMSDistance`
  * (root of the mean of both mean squares), in the unit of the points.
  *
- * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface: from
- * the diagram, whose cells must be disks that meet in segments and points (the closed ball property
- * of Edelsbrunner and Shah), and from the mesh itself. It is 0 where that is not so, and always for
- * a surface that is no manifold; GetTopologyReport() tells why.
+ * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
+ * from the diagram, whose cells must be disks that meet in segments and points (the closed ball
+ * property of Edelsbrunner and Shah), and from the mesh itself. It is 0 where that is not so, and
+ * always for a surface that is no manifold; GetTopologyReport() tells why.
  *
  * The input's arrays on port 0 keep names, types, component names and roles (active scalars and so
  * on), and field data is passed:
@@ -182,7 +188,8 @@ public:
   /**
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
    * "sampling", "lloyd", "newton", "repair" (of the mesh's topology),
-   * "placement" (of the mesh's points), "diagram" (diagram, dual and output arrays). 0 for other names.
+   * "placement" (of the mesh's points), "diagram" (diagram, dual and output arrays). 0 for other
+   * names.
    */
   double GetPhaseSeconds(const char* phase) const;
 

@@ -89,8 +89,7 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
     else if (!name.empty() && output->HasArray(name.c_str()))
     {
       // The normals of the mesh stand for those of the input, used or not.
-      if (name != "Normals" &&
-        std::find(replaced.begin(), replaced.end(), array) == replaced.end())
+      if (name != "Normals" && std::find(replaced.begin(), replaced.end(), array) == replaced.end())
       {
         lost.taken.push_back(name);
       }

@@ -9,7 +9,8 @@ namespace remesh
 {
 namespace
 {
-/** Vectors of n x d doubles that a run holds at once: sites, trial, direction, two moments, tree. */
+/** Vectors of n x d doubles that a run holds at once: sites, trial, direction, two moments, tree.
+ */
 constexpr double vectors = 6.0;
 /** Neighbour list, cell sums, owners and the like: bytes per site. */
 constexpr double otherBytes = 600.0;

@@ -117,8 +117,8 @@ void testCancelFromOutside()
       }
       stop = true;
     });
-  const RunControl control(
-    [&](double, const char* phase) { running = running || std::string(phase) != "Sampling"; },
+  const RunControl control([&](double, const char* phase)
+    { running = running || std::string(phase) != "Sampling"; },
     [&]() { return stop.load(); });
   RemeshResult result;
   CHECK(remesh::remesh(mesh, surface, options, control, result).code == StatusCode::Cancelled);

@@ -1,9 +1,9 @@
 // Delaunay/Certificate: holds only where the dual has the surface's topology, counts what fails by
 // the definition, and holds where there are enough sites.
 
+#include "Comparison/MeshTopology.h"
 #include "Delaunay/CellDisks.h"
 #include "Delaunay/Certificate.h"
-#include "Comparison/MeshTopology.h"
 #include "Features/FeatureGraph.h"
 #include "Remesh.h"
 #include "TestDuals.h"
@@ -62,8 +62,7 @@ std::vector<int> eulerCharacteristics(const SurfaceMesh& mesh, const EmbeddedSur
         edges.insert(std::minmax(a, b));
       }
     }
-    characteristics.push_back(
-      static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) +
+    characteristics.push_back(static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) +
       static_cast<int>(end - begin));
   }
   return characteristics;
@@ -89,9 +88,9 @@ void checkRandomSites(const TriangleSoup& soup, int dimension, Offset most, Coun
     const test::Computed result = test::computed(surface, sites);
     const test::DualOf made = test::dualOf(mesh, surface, result);
     std::vector<char> isDisk;
-    CHECK(findDisks(surface, made.edges, result.diagram, made.components, nullptr, RunControl(),
-      isDisk)
-            .ok());
+    CHECK(
+      findDisks(surface, made.edges, result.diagram, made.components, nullptr, RunControl(), isDisk)
+        .ok());
     const std::vector<int> expected = eulerCharacteristics(mesh, surface, result, made);
     CHECK_EQUAL(isDisk.size(), expected.size());
     for (std::size_t k = 0; k < isDisk.size(); ++k)
@@ -162,10 +161,9 @@ void testBands()
 
   const SurfaceMesh square = test::meshOf(test::gridPatch(6, 6));
   const EmbeddedSurface flat = test::embedded(square, 3);
-  const test::Computed stripes =
-    test::computed(flat, test::sitesAt(flat, { { 0.1, 0.5, 0 }, { 0.5, 0.5, 0 }, { 0.9, 0.5, 0 } }));
-  const Certificate certificate =
-    certificateOf(flat, stripes, test::dualOf(square, flat, stripes));
+  const test::Computed stripes = test::computed(
+    flat, test::sitesAt(flat, { { 0.1, 0.5, 0 }, { 0.5, 0.5, 0 }, { 0.9, 0.5, 0 } }));
+  const Certificate certificate = certificateOf(flat, stripes, test::dualOf(square, flat, stripes));
   CHECK_EQUAL(certificate.cells.size(), std::size_t(3)); // none has a triangle
   CHECK_EQUAL(certificate.edges.size(), std::size_t(2)); // from border to border
 }

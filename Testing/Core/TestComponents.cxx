@@ -47,8 +47,8 @@ TriangleSoup thinPlate(int k, double thickness)
 /** Two triangles that have only a point in common. */
 TriangleSoup bowTie()
 {
-  return test::makeSoup({ { 0, 0, 0 }, { 1, -0.5, 0 }, { 1, 0.5, 0 }, { -1, 0.5, 0 },
-                          { -1, -0.5, 0 } },
+  return test::makeSoup(
+    { { 0, 0, 0 }, { 1, -0.5, 0 }, { 1, 0.5, 0 }, { -1, 0.5, 0 }, { -1, -0.5, 0 } },
     { { 0, 1, 2 }, { 0, 3, 4 } });
 }
 
@@ -58,10 +58,9 @@ std::vector<Index> flood(
 {
   const Diagram& diagram = result.diagram;
   DiagramPoints points;
-  CHECK(
-    numberDiagramPoints(mesh, buildEdgeTable(mesh.facetPoints), { surface, result.sites, diagram },
-      RunControl(), points)
-      .ok());
+  CHECK(numberDiagramPoints(mesh, buildEdgeTable(mesh.facetPoints),
+    { surface, result.sites, diagram }, RunControl(), points)
+          .ok());
   std::map<std::array<Offset, 3>, std::vector<Offset>> shared; // site and two points
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
   {
@@ -151,8 +150,7 @@ void checkSums(const SurfaceMesh& mesh, const test::Computed& result, const Comp
   CHECK_NEAR(moment.norm(), 0.0, 1e-12);
 }
 
-test::DualOf checkCase(
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites)
+test::DualOf checkCase(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites)
 {
   const test::Computed result = test::computed(surface, sites);
   const test::DualOf made = test::dualOf(mesh, surface, result);

@@ -39,8 +39,7 @@ void testTwins()
     Sites twins = single;
     for (Index site = single.count() - 1; site >= 0; --site)
     {
-      twins.coordinates.insert(
-        twins.coordinates.end(), single.site(site), single.site(site) + d);
+      twins.coordinates.insert(twins.coordinates.end(), single.site(site), single.site(site) + d);
     }
     const test::Computed expected = test::computed(surface, single);
     const test::Computed result = test::computed(surface, twins);

@@ -23,8 +23,8 @@ void checkPlaces(
       const auto here = test::pointAt(surface, diagram.facets[p], { b[0], b[1], b[2] });
       const auto there =
         test::pointAt(surface, point.facet, { point.b[0], point.b[1], point.b[2] });
-      largest = std::max(
-        largest, test::exactDistance2(here.data(), there.data(), surface.dimension));
+      largest =
+        std::max(largest, test::exactDistance2(here.data(), there.data(), surface.dimension));
     }
   }
   CHECK_NEAR(std::sqrt(largest), 0.0, 1e-15);
@@ -57,13 +57,11 @@ void checkCase(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Si
 {
   const test::Computed result = test::computed(surface, sites);
   DiagramPoints points;
-  CHECK(numberDiagramPoints(
-    mesh, buildEdgeTable(mesh.facetPoints), { surface, sites, result.diagram }, RunControl(),
-    points)
+  CHECK(numberDiagramPoints(mesh, buildEdgeTable(mesh.facetPoints),
+    { surface, sites, result.diagram }, RunControl(), points)
           .ok());
   checkPlaces(surface, result.diagram, points);
-  CHECK_EQUAL(
-    eulerCharacteristic(result.diagram, points), Offset(test::eulerCharacteristic(mesh)));
+  CHECK_EQUAL(eulerCharacteristic(result.diagram, points), Offset(test::eulerCharacteristic(mesh)));
 }
 }
 

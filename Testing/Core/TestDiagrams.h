@@ -53,8 +53,8 @@ inline double roundingOfH(const EmbeddedSurface& surface, const Sites& sites)
   {
     for (Index corner = 0; corner < surface.numberOfCorners(); ++corner)
     {
-      reach2 = std::max(
-        reach2, exactDistance2(sites.site(site), surface.corner(corner), sites.dimension));
+      reach2 =
+        std::max(reach2, exactDistance2(sites.site(site), surface.corner(corner), sites.dimension));
     }
   }
   return 16.0 * 0x1p-52 * reach2;
@@ -90,15 +90,13 @@ inline double vertexCondition(const EmbeddedSurface& surface, const Sites& sites
   {
     return 0.0;
   }
-  const Barycentric u =
-    differencesOfH(surface, sites, facet, std::max(incoming, outgoing), site);
+  const Barycentric u = differencesOfH(surface, sites, facet, std::max(incoming, outgoing), site);
   if (incoming < 0 || outgoing < 0)
   {
     const int k = -1 - std::min(incoming, outgoing);
     return 2.0 / std::abs(u[k] - u[(k + 1) % 3]);
   }
-  const Barycentric v =
-    differencesOfH(surface, sites, facet, std::min(incoming, outgoing), site);
+  const Barycentric v = differencesOfH(surface, sites, facet, std::min(incoming, outgoing), site);
   double sum = 0.0;
   for (int k = 0; k < 3; ++k)
   {
@@ -130,8 +128,7 @@ inline void checkVertices(
       if (excess > rounding)
       {
         const double slope = largest(differencesOfH(surface, sites, facet, winner, site));
-        const double condition =
-          vertexCondition(surface, sites, facet, site, incoming, across);
+        const double condition = vertexCondition(surface, sites, facet, site, incoming, across);
         worst = std::max(worst, excess / (rounding * (1.0 + slope * condition)));
       }
       incoming = across;

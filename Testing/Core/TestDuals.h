@@ -35,11 +35,11 @@ inline DualOf dualOf(
 
 struct Shape
 {
-  int borderEdges = 0;      ///< one triangle
-  int crowdedEdges = 0;     ///< three triangles or more
-  int twistedEdges = 0;     ///< two triangles that go the same way
-  int brokenVertices = 0;   ///< triangles around it are neither one closed nor one open fan
-  int pieces = 0;           ///< connected through vertices
+  int borderEdges = 0;    ///< one triangle
+  int crowdedEdges = 0;   ///< three triangles or more
+  int twistedEdges = 0;   ///< two triangles that go the same way
+  int brokenVertices = 0; ///< triangles around it are neither one closed nor one open fan
+  int pieces = 0;         ///< connected through vertices
   int vertices = 0;
 
   bool isManifold() const

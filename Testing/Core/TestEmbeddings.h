@@ -113,8 +113,8 @@ inline std::vector<double> pointAt(
   std::vector<double> point(static_cast<std::size_t>(surface.dimension));
   for (int k = 0; k < surface.dimension; ++k)
   {
-    point[k] = b[0] * surface.corner(p0)[k] + b[1] * surface.corner(p1)[k] +
-      b[2] * surface.corner(p2)[k];
+    point[k] =
+      b[0] * surface.corner(p0)[k] + b[1] * surface.corner(p1)[k] + b[2] * surface.corner(p2)[k];
   }
   return point;
 }

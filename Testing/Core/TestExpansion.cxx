@@ -84,8 +84,7 @@ void testTripleProducts(double largest, double scale)
   int wrong = 0;
   int zeros = 0;
   std::uint64_t draw = 0;
-  const auto number = [&]()
-  { return std::floor((2.0 * uniform01(1, draw++, 0) - 1.0) * largest); };
+  const auto number = [&]() { return std::floor((2.0 * uniform01(1, draw++, 0) - 1.0) * largest); };
   for (int c = 0; c < 20000; ++c)
   {
     Expansion sum;

@@ -61,7 +61,8 @@ void testGroups(const RunControl& control)
     }
   }
   Groups none;
-  CHECK(groupByKey(5, 0, control, [](Offset) { return noIndex; }, none));
+  CHECK(groupByKey(
+    5, 0, control, [](Offset) { return noIndex; }, none));
   CHECK(none.items.empty() && none.begins == std::vector<Offset>{ 0 });
 }
 
@@ -100,8 +101,8 @@ void testOrder(const RunControl& control)
       }
       std::vector<Index> expected(keys.size());
       std::iota(expected.begin(), expected.end(), Index(0));
-      std::stable_sort(expected.begin(), expected.end(),
-        [&](Index a, Index b) { return keys[a] < keys[b]; });
+      std::stable_sort(
+        expected.begin(), expected.end(), [&](Index a, Index b) { return keys[a] < keys[b]; });
       CHECK(orderByKey(keys, control) == expected);
     }
   }

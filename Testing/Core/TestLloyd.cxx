@@ -85,8 +85,7 @@ void testHexagonal()
     CellSums sums;
     Convergence convergence;
     Index empty = 0;
-    CHECK(
-      relaxLloyd(voronoi, surface, 100, 1, RunControl(), sites, sums, convergence, empty).ok());
+    CHECK(relaxLloyd(voronoi, surface, 100, 1, RunControl(), sites, sums, convergence, empty).ok());
     const double g = sites.count() * sums.totalEnergy / (surface.mass * surface.mass);
     CHECK(g > 0.9 * hexagonal && g <= 1.03 * hexagonal);
   }

@@ -50,8 +50,8 @@ struct Case
   /** H_ak - H_bk, perturbed. */
   Difference difference(int a, int b, int k) const
   {
-    const auto value = static_cast<Integer>(this->sites[a].h[k]) -
-      static_cast<Integer>(this->sites[b].h[k]);
+    const auto value =
+      static_cast<Integer>(this->sites[a].h[k]) - static_cast<Integer>(this->sites[b].h[k]);
     return { { value, 1, -1 }, { 0, this->code(a), this->code(b) } };
   }
 
@@ -84,8 +84,7 @@ void addProduct(
     {
       for (int r = 0; r < 3; ++r)
       {
-        sum.terms[a.code[s] + b.code[t] + c.code[r]] +=
-          sign * a.value[s] * b.value[t] * c.value[r];
+        sum.terms[a.code[s] + b.code[t] + c.code[r]] += sign * a.value[s] * b.value[t] * c.value[r];
       }
     }
   }
@@ -348,8 +347,8 @@ void testOneWinner()
       return std::all_of(sites.begin(), sites.end(),
         [&](const FacetSite& b) { return b.id == a.id || beatsAtCorner(a, b, k); });
     };
-    const auto start = std::find_if(sites.begin(), sites.end(),
-      [&](const FacetSite& a) { return winsCorner(a, 0); });
+    const auto start = std::find_if(
+      sites.begin(), sites.end(), [&](const FacetSite& a) { return winsCorner(a, 0); });
     count.expect(start != sites.end());
     const FacetSite* now = &*start;
     for (int steps = 0; steps < 8 && !winsCorner(*now, 1); ++steps)
@@ -358,8 +357,8 @@ void testOneWinner()
       int winners = 0;
       for (const FacetSite& a : sites)
       {
-        const bool crosses = a.id != now->id && beatsAtCorner(a, *now, 1) &&
-          beatsAtCorner(*now, a, 0);
+        const bool crosses =
+          a.id != now->id && beatsAtCorner(a, *now, 1) && beatsAtCorner(*now, a, 0);
         const bool first = crosses &&
           std::none_of(sites.begin(), sites.end(),
             [&](const FacetSite& b)

@@ -26,11 +26,11 @@ Run minimized(const EmbeddedSurface& surface, Sites sites, const QuasiNewtonOpti
   Run run;
   run.sites = std::move(sites);
   RestrictedVoronoi voronoi(surface);
-  CHECK(relaxLloyd(voronoi, surface, 0, 1, RunControl(), run.sites, run.sums, run.convergence,
-    run.empty)
+  CHECK(relaxLloyd(
+    voronoi, surface, 0, 1, RunControl(), run.sites, run.sums, run.convergence, run.empty)
           .ok());
-  CHECK(minimizeQuasiNewton(voronoi, surface, options, 1, RunControl(), run.sites, run.sums,
-    run.convergence, run.empty)
+  CHECK(minimizeQuasiNewton(
+    voronoi, surface, options, 1, RunControl(), run.sites, run.sums, run.convergence, run.empty)
           .ok());
   run.evaluations = voronoi.evaluations();
   return run;
@@ -100,8 +100,8 @@ void testFasterThanLloyd()
   CellSums sums;
   Convergence convergence;
   Index empty = 0;
-  CHECK(relaxLloyd(voronoi, surface, run.evaluations - 1, 1, RunControl(), lloyd, sums,
-    convergence, empty)
+  CHECK(relaxLloyd(
+    voronoi, surface, run.evaluations - 1, 1, RunControl(), lloyd, sums, convergence, empty)
           .ok());
   CHECK(run.sums.totalEnergy < sums.totalEnergy);
   CHECK(run.sums.gradientNorm < sums.gradientNorm);

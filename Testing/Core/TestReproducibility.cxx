@@ -98,8 +98,8 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
 {
   Bytes bytes;
   DiagramPoints points;
-  CHECK(numberDiagramPoints(mesh, result.edges, { surface, result.sites, result.diagram },
-    control, points)
+  CHECK(numberDiagramPoints(
+    mesh, result.edges, { surface, result.sites, result.diagram }, control, points)
           .ok());
   bytes.add(points.ofVertex);
   for (const DiagramPoint& point : points.points)
@@ -108,8 +108,7 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   }
   bytes.addAll(result.sites.coordinates, result.emptyCells, result.evaluations);
   const CellSums& sums = result.sums;
-  bytes.addAll(
-    sums.mass, sums.area, sums.energy, sums.moment, sums.totalEnergy, sums.gradientNorm);
+  bytes.addAll(sums.mass, sums.area, sums.energy, sums.moment, sums.totalEnergy, sums.gradientNorm);
   const Diagram& diagram = result.diagram;
   bytes.addAll(diagram.facetBegin, diagram.sites, diagram.facets, diagram.integrals,
     diagram.vertexBegin, diagram.across);

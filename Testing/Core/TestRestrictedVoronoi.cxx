@@ -80,8 +80,7 @@ void addTriangle(const EmbeddedSurface& surface, const Sites& sites, Index facet
     squares += test::exactDistance2(point.data(), x, d);
   }
   sums.mass[site] += mass;
-  sums.area[site] +=
-    mass / surface.constants[facet].mass * surface.constants[facet].area;
+  sums.area[site] += mass / surface.constants[facet].mass * surface.constants[facet].area;
   sums.energy[site] += mass * squares / 12.0;
 }
 
@@ -156,8 +155,8 @@ void testRandomSites()
       }
     }
     const EmbeddedSurface surface = test::embedded(mesh, 6);
-    checkCase(name + ", far off", mesh, surface,
-      test::shaken(test::sampled(surface, 30, 1), 2.0, 4));
+    checkCase(
+      name + ", far off", mesh, surface, test::shaken(test::sampled(surface, 30, 1), 2.0, 4));
   }
 }
 
@@ -184,8 +183,7 @@ void testUnevenSites()
     {
       for (int k = 0; k < d; ++k)
       {
-        sites.site(site)[k] =
-          sites.site(3)[k] + 1e-3 * (sites.site(site)[k] - sites.site(3)[k]);
+        sites.site(site)[k] = sites.site(3)[k] + 1e-3 * (sites.site(site)[k] - sites.site(3)[k]);
       }
     }
     checkCase("a clump", mesh, surface, sites);

@@ -100,8 +100,8 @@ double chiSquare(const EmbeddedSurface& surface, const std::vector<Place>& place
   double sum = 0.0;
   for (std::size_t bin = 0; bin < counts.size(); ++bin)
   {
-    const double expected = static_cast<double>(places.size()) / surface.mass *
-      surface.constants[bin / 4].mass / 4.0;
+    const double expected =
+      static_cast<double>(places.size()) / surface.mass * surface.constants[bin / 4].mass / 4.0;
     sum += (counts[bin] - expected) * (counts[bin] - expected) / expected;
   }
   return sum;
@@ -118,8 +118,8 @@ void testEvenness()
     for (std::uint64_t seed = 0; seed < 3; ++seed)
     {
       const Sites random = test::sampled(surface, 10000, seed, SamplingMethod::Random);
-      CHECK_NEAR(chiSquare(surface, placesOf(surface, random)), freedom,
-        5.0 * std::sqrt(2.0 * freedom));
+      CHECK_NEAR(
+        chiSquare(surface, placesOf(surface, random)), freedom, 5.0 * std::sqrt(2.0 * freedom));
       const Sites strata = test::sampled(surface, 10000, seed, SamplingMethod::Stratified);
       CHECK(chiSquare(surface, placesOf(surface, strata)) < 0.1 * freedom);
     }
@@ -205,8 +205,7 @@ void testZeroWeights()
         sampler.draw(along, 0.3, 0.4, sites.site(0));
       }
       double distance = 0.0;
-      const test::Barycentric b =
-        project(surface, along < 0.25 ? 4 : 9, sites.site(0), distance);
+      const test::Barycentric b = project(surface, along < 0.25 ? 4 : 9, sites.site(0), distance);
       CHECK(distance < 1e-15 && *std::min_element(b.begin(), b.end()) > -1e-15);
     }
   }

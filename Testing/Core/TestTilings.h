@@ -94,8 +94,8 @@ inline void checkPiece(const PlacedDiagram& diagram, Offset piece)
 }
 
 /** Whether the piece of the site across an edge has the same edge, turned round. */
-inline bool edgeIsShared(const PlacedDiagram& diagram, Offset piece, const DiagramVertex& start,
-  const DiagramVertex& end)
+inline bool edgeIsShared(
+  const PlacedDiagram& diagram, Offset piece, const DiagramVertex& start, const DiagramVertex& end)
 {
   const Offset other = diagram.pieceOf(diagram.facets[piece], start.across);
   if (other < 0)

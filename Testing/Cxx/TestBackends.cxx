@@ -133,8 +133,7 @@ void testAutomatic(vtkPolyData* input)
       const auto filter = makeFilter(input);
       filter->Update();
       const bool sequential = backend.choice == vtkAnisotropicRemesher::SMP_SEQUENTIAL;
-      CHECK_EQUAL(
-        std::string(filter->GetUsedBackend()), sequential ? "STDThread" : backend.name);
+      CHECK_EQUAL(std::string(filter->GetUsedBackend()), sequential ? "STDThread" : backend.name);
     }
   }
 }
@@ -178,8 +177,7 @@ int TestBackends(int, char*[])
   const std::string before = vtkSMPTools::GetBackend();
   std::cout << "VTK's back-end: " << before << "\n";
   const auto input = polyDataOf(ellipsoid(4));
-  addPointArray<vtkDoubleArray>(
-    input, "Height", 1, [](const Point3& p, int) { return p[2]; });
+  addPointArray<vtkDoubleArray>(input, "Height", 1, [](const Point3& p, int) { return p[2]; });
   testSameBytes(input);
   testAutomatic(input);
   testRestored(input);

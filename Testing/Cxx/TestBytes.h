@@ -66,9 +66,7 @@ inline Content contentOf(vtkDataObject* data)
     addArrays("cell ", surface->GetCellData());
     content["points"] = surface->GetPoints() ? bytesOf(surface->GetPoints()->GetData()) : "";
     const auto addCells = [&](const char* name, vtkCellArray* cells)
-    {
-      content[name] = bytesOf(cells->GetOffsetsArray()) + bytesOf(cells->GetConnectivityArray());
-    };
+    { content[name] = bytesOf(cells->GetOffsetsArray()) + bytesOf(cells->GetConnectivityArray()); };
     addCells("verts", surface->GetVerts());
     addCells("lines", surface->GetLines());
     addCells("polys", surface->GetPolys());

@@ -63,7 +63,8 @@ void checkFails(vtkAlgorithm* filter, const std::string& words, const std::strin
 
 /** Fails with `input` and what `spoil` does to the filter; then works after `repair`. */
 template <class Filter>
-void checkCase(const std::string& where, vtkPolyData* input, const std::string& words,
+void checkCase(
+  const std::string& where, vtkPolyData* input, const std::string& words,
   const std::function<void(Filter*)>& spoil = [](Filter*) {},
   const std::function<void(Filter*)>& repair = [](Filter*) {})
 {
@@ -86,7 +87,8 @@ void checkCase(const std::string& where, vtkPolyData* input, const std::string& 
 }
 
 /** For the filters that take no sites. */
-void checkBoth(const std::string& where, vtkPolyData* input, const std::string& words,
+void checkBoth(
+  const std::string& where, vtkPolyData* input, const std::string& words,
   const std::function<void(vtkEmbeddedSurfaceAlgorithm*)>& spoil =
     [](vtkEmbeddedSurfaceAlgorithm*) {},
   const std::function<void(vtkEmbeddedSurfaceAlgorithm*)>& repair =
@@ -131,9 +133,7 @@ void testArrays()
   const auto chooseNormals = [](const char* name)
   {
     return [name](vtkEmbeddedSurfaceAlgorithm* filter)
-    {
-      filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-    };
+    { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name); };
   };
   const auto activeNormals = [](vtkEmbeddedSurfaceAlgorithm* filter)
   {
@@ -199,14 +199,17 @@ void testNumbersOfPoints()
   const auto good = [](vtkAnisotropicRemesher* filter) { filter->SetNumberOfPoints(50); };
   for (const vtkIdType n : { 0, 1, 3 })
   {
-    checkCase<vtkAnisotropicRemesher>("too few points", goodInput(), "at least 4 points",
+    checkCase<vtkAnisotropicRemesher>(
+      "too few points", goodInput(), "at least 4 points",
       [n](vtkAnisotropicRemesher* filter) { filter->SetNumberOfPoints(n); }, good);
   }
-  checkCase<vtkAnisotropicRemesher>("points beyond the memory", goodInput(), "GB of memory",
+  checkCase<vtkAnisotropicRemesher>(
+    "points beyond the memory", goodInput(), "GB of memory",
     [](vtkAnisotropicRemesher* filter) { filter->SetNumberOfPoints(2000000000); }, good);
   for (const vtkIdType n : { vtkIdType(1) << 31, vtkIdType(VTK_ID_MAX) })
   {
-    checkCase<vtkAnisotropicRemesher>("too many points", goodInput(), std::to_string(n),
+    checkCase<vtkAnisotropicRemesher>(
+      "too many points", goodInput(), std::to_string(n),
       [n](vtkAnisotropicRemesher* filter) { filter->SetNumberOfPoints(n); }, good);
   }
 }
@@ -219,8 +222,8 @@ void testSites()
     const Input kept = sites;
     return [kept](vtkAnisotropicRemesher* filter) { filter->SetInitialSitesData(kept); };
   };
-  checkCase<vtkAnisotropicRemesher>("no initial sites in the input", goodInput(),
-    "at least 4 points", give(pointsOnly({})), none);
+  checkCase<vtkAnisotropicRemesher>(
+    "no initial sites in the input", goodInput(), "at least 4 points", give(pointsOnly({})), none);
   checkCase<vtkAnisotropicRemesher>("three initial sites", goodInput(), "at least 4 points",
     give(pointsOnly({ { 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 } })), none);
   checkCase<vtkAnisotropicRemesher>("NaN in initial sites", goodInput(), "Site 3",
@@ -234,11 +237,15 @@ void testSites()
 
   const auto giveGood = [](vtkRestrictedVoronoiDiagram* filter)
   { filter->SetSitesData(goodInput()); };
-  checkCase<vtkRestrictedVoronoiDiagram>("no sites", goodInput(), "has 0",
+  checkCase<vtkRestrictedVoronoiDiagram>(
+    "no sites", goodInput(), "has 0",
     [](vtkRestrictedVoronoiDiagram* filter) { filter->SetSitesData(pointsOnly({})); }, giveGood);
-  checkCase<vtkRestrictedVoronoiDiagram>("NaN in sites", goodInput(), "Site 0",
-    [](vtkRestrictedVoronoiDiagram* filter)
-    { filter->SetSitesData(pointsOnly({ { nan, 0, 0 } })); }, giveGood);
+  checkCase<vtkRestrictedVoronoiDiagram>(
+    "NaN in sites", goodInput(), "Site 0",
+    [](vtkRestrictedVoronoiDiagram* filter) {
+      filter->SetSitesData(pointsOnly({ { nan, 0, 0 } }));
+    },
+    giveGood);
   checkCase<vtkRestrictedVoronoiDiagram>(
     "a bad surface for sites", withPoint(3, nan), "not finite", giveGood);
 }

@@ -100,8 +100,7 @@ void testModes()
 void testCoordinateArrays()
 {
   const auto input = sphereWithNormals("N");
-  addPointArray<vtkFloatArray>(
-    input, "Heat", 1, [](const Point3& p, int) { return p[0] * p[1]; });
+  addPointArray<vtkFloatArray>(input, "Heat", 1, [](const Point3& p, int) { return p[0] * p[1]; });
   addPointArray<vtkDoubleArray>(
     input, "Pair", 2, [](const Point3& p, int c) { return p[c] + 10.0 * c; });
   vtkNew<vtkGaussMapEmbedding> filter;

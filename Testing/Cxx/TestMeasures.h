@@ -75,8 +75,8 @@ inline double polygonArea(vtkPolyData* data, const std::vector<vtkIdType>& ids)
 inline double areaOf(vtkPolyData* data)
 {
   ExactSum sum;
-  forEachPolygon(data,
-    [&](vtkIdType, const std::vector<vtkIdType>& ids) { sum.add(polygonArea(data, ids)); });
+  forEachPolygon(
+    data, [&](vtkIdType, const std::vector<vtkIdType>& ids) { sum.add(polygonArea(data, ids)); });
   return sum.value();
 }
 
@@ -128,8 +128,7 @@ inline double volumeOf(vtkPolyData* mesh)
 {
   double volume = 0.0;
   forEachPolygon(mesh,
-    [&](vtkIdType, const std::vector<vtkIdType>& ids)
-    {
+    [&](vtkIdType, const std::vector<vtkIdType>& ids) {
       volume += pointOf(mesh, ids[0]).dot(pointOf(mesh, ids[1]).cross(pointOf(mesh, ids[2]))) / 6.0;
     });
   return volume;

@@ -27,8 +27,7 @@ public:
   {
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(this);
-    command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* progress)
+    command->SetCallback([](vtkObject*, unsigned long, void* self, void* progress)
       { static_cast<ProgressWatch*>(self)->Watch(*static_cast<double*>(progress)); });
     this->Tag = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
   }
@@ -156,7 +155,8 @@ int TestProgressAbort(int, char*[])
   testProgress(embedding, 3);
 
   const std::vector<Content> remeshed = contentsOf(remesher);
-  for (const double moment : { 0.001, 0.03, 0.1, 0.2, 0.5, 0.8, 0.85, 0.9, 0.94, 0.951, 0.97, 0.99 })
+  for (const double moment :
+    { 0.001, 0.03, 0.1, 0.2, 0.5, 0.8, 0.85, 0.9, 0.94, 0.951, 0.97, 0.99 })
   {
     testAbort(remesher, moment);
   }

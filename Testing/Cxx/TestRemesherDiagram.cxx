@@ -30,8 +30,8 @@ struct Moments
     const double triangle = 0.5 * std::sqrt(std::max(0.0, ab2 * ac2 - dot * dot));
     const Vector sum = a + b + c;
     this->mass += triangle;
-    this->energy += triangle / 12.0 *
-      (sum.squaredNorm() + a.squaredNorm() + b.squaredNorm() + c.squaredNorm());
+    this->energy +=
+      triangle / 12.0 * (sum.squaredNorm() + a.squaredNorm() + b.squaredNorm() + c.squaredNorm());
     this->moment += triangle / 3.0 * sum;
   }
 };

@@ -107,9 +107,9 @@ void testQuadrilateralsAndStrips()
   // Quadrilaterals, triangles and a strip, among vertices, lines and points of no use.
   std::vector<Point3> more = points;
   more.emplace_back(50, 60, 70);
-  const auto mixed = makePolyData(more,
-    { cubeQuads[0], { 4, 5, 7 }, { 4, 7, 6 }, cubeQuads[2], cubeQuads[3] },
-    { { 4, 6, 0, 2 }, { 1, 3, 5, 7 } });
+  const auto mixed =
+    makePolyData(more, { cubeQuads[0], { 4, 5, 7 }, { 4, 7, 6 }, cubeQuads[2], cubeQuads[3] },
+      { { 4, 6, 0, 2 }, { 1, 3, 5, 7 } });
   vtkNew<vtkCellArray> verts;
   addCells(verts, { { 8 }, { 0, 1 } });
   mixed->SetVerts(verts);
@@ -125,9 +125,9 @@ void testQuadrilateralsAndStrips()
 /** A letter L and an arrow: nothing is added outside. */
 void testConcavePolygons()
 {
-  const auto letter = makePolyData({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 1, 1, 0 },
-                                     { 1, 4, 0 }, { 0, 4, 0 } },
-    { { 0, 1, 2, 3, 4, 5 } });
+  const auto letter =
+    makePolyData({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 1, 1, 0 }, { 1, 4, 0 }, { 0, 4, 0 } },
+      { { 0, 1, 2, 3, 4, 5 } });
   const Filter filter = remesh(letter, 80, 6.0);
   vtkPolyData* cells = filter->GetVoronoiCellsOutput();
   for (vtkIdType i = 0; i < cells->GetNumberOfPoints(); ++i)
@@ -235,8 +235,8 @@ void testOrientation()
   // One triangle turned the wrong way follows the rest; a sphere inside out stays so.
   TriangleSoup odd = gridPatch(8, 8);
   flip(odd, 5);
-  const auto upward = arrayOf(
-    remesh(polyDataOf(odd), 100, 1.0)->GetOutput()->GetPointData(), "Normals");
+  const auto upward =
+    arrayOf(remesh(polyDataOf(odd), 100, 1.0)->GetOutput()->GetPointData(), "Normals");
   CHECK_NEAR(upward->GetRange(2)[0], 1.0, 1e-12);
   TriangleSoup inward = icosphere(3);
   for (std::size_t t = 0; t < inward.triangles.size(); ++t)

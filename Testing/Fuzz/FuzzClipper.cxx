@@ -7,10 +7,10 @@
 #include "FuzzSupport.h"
 #include "TestFacetSites.h"
 
+#include "Embedding/Distance.h"
 #include "Embedding/Embedding.h"
 #include "Mesh/Intake.h"
 #include "Support/InstructionSet.h"
-#include "Embedding/Distance.h"
 #include "Voronoi/FacetDecomposition.h"
 #include "Voronoi/FacetIntegration.h"
 #include "Voronoi/Ownership.h"
@@ -261,8 +261,8 @@ void checkFacet(const EmbeddedSurface& surface, const Sites& sites, Index facet,
     seen.id = site;
     for (int k = 0; k < 3; ++k)
     {
-      seen.h[k] = squaredDistance<D>(sites.site(site),
-        surface.corner(surface.facetCorners[facet][k]), surface.dimension);
+      seen.h[k] = squaredDistance<D>(
+        sites.site(site), surface.corner(surface.facetCorners[facet][k]), surface.dimension);
     }
     tiling.addSite(seen);
   }

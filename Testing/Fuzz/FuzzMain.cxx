@@ -64,8 +64,7 @@ int main(int argc, char* argv[])
       files = true;
       std::ifstream file(argument, std::ios::binary);
       const std::vector<char> bytes{ std::istreambuf_iterator<char>(file), {} };
-      LLVMFuzzerTestOneInput(
-        reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+      LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     }
   }
   if (files)

@@ -23,8 +23,7 @@ void collect(vtkObject* object, unsigned long event, std::vector<std::string>& t
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&texts);
   command->SetCallback(
-    [](vtkObject*, unsigned long, void* list, void* text)
-    {
+    [](vtkObject*, unsigned long, void* list, void* text) {
       static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text));
     });
   object->AddObserver(event, command);
@@ -61,9 +60,8 @@ void checkPolyData(vtkPolyData* data)
         ids->GetComponent(k, 0) >= 0 && ids->GetComponent(k, 0) < data->GetNumberOfPoints());
     }
   }
-  for (vtkFieldData* arrays :
-    { static_cast<vtkFieldData*>(data->GetPointData()),
-      static_cast<vtkFieldData*>(data->GetCellData()) })
+  for (vtkFieldData* arrays : { static_cast<vtkFieldData*>(data->GetPointData()),
+         static_cast<vtkFieldData*>(data->GetCellData()) })
   {
     for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
     {

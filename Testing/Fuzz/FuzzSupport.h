@@ -111,8 +111,7 @@ inline double coordinate(Bytes& bytes, bool wild)
 }
 
 /** Up to `mostPoints` points, and polygons and strips on them; `wild`: ids out of range, too. */
-inline vtkSmartPointer<vtkPolyData> polyData(
-  Bytes& bytes, int mostPoints, int mostCells, bool wild)
+inline vtkSmartPointer<vtkPolyData> polyData(Bytes& bytes, int mostPoints, int mostCells, bool wild)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;

@@ -167,8 +167,8 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
   }
   if (seams)
   {
-    certificate.lostPoints = static_cast<Index>(
-      std::count(seams->components.begin(), seams->components.end(), noIndex));
+    certificate.lostPoints =
+      static_cast<Index>(std::count(seams->components.begin(), seams->components.end(), noIndex));
     certificate.lostPoints += seams->isComplete ? 0 : 1;
   }
   std::vector<Triple> meetings = dual.triangles;
