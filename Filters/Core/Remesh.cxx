@@ -124,11 +124,7 @@ std::vector<VertexKind> findVertexKinds(const RemeshResult& result)
 Status place(const Task& task, const RunControl& control, RemeshResult& result)
 {
   Stopwatch watch;
-  std::vector<char> fixed;
-  for (const VertexKind kind : result.vertexKinds)
-  {
-    fixed.push_back(kind != VertexKind::Free);
-  }
+  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   Status status = placeVertices(problem, task.options.placement, control, result.locations,

@@ -157,15 +157,15 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
 Status smooth(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   Stopwatch watch;
-  bool broken = repair.unsettledSites == 0 || !result.topology.certificate.holds();
-  const bool areFew = repair.unsettledSites < sitesForOneMore * result.sites.count();
+  bool broken = repair.counts.unsettledSites == 0 || !result.topology.certificate.holds();
+  const bool areFew = repair.counts.unsettledSites < sitesForOneMore * result.sites.count();
   for (int round = areFew ? 1 : 0; round < mostSmoothings && !broken; ++round)
   {
     const Index count = result.components.count();
     const std::size_t intrusions = result.seams.intrusions.size();
     keepState(result, repair);
-    const std::vector<Index> staying =
-      sitesAroundAdded(result.components, result.dual, result.sites.count(), repair.addedSites);
+    const std::vector<Index> staying = sitesAroundAdded(
+      result.components, result.dual, result.sites.count(), repair.counts.addedSites);
     Status status = settle(task.surface, task.options.seed, control, result);
     if (status.ok())
     {
@@ -177,7 +177,7 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
     }
     broken = !status.ok() || !result.topology.certificate.holds() ||
       result.components.count() != count || result.seams.intrusions.size() > intrusions ||
-      static_cast<Offset>(flippedTriangles(task, control, result).size()) > repair.flips;
+      static_cast<Offset>(flippedTriangles(task, control, result).size()) > repair.counts.flips;
     if (status.ok() && broken)
     {
       restoreState(repair, result);
@@ -211,7 +211,7 @@ Status findDual(const Task& task, const RunControl& control, RemeshResult& resul
   }
   result.wantedVertices = task.options.exactNumber
     ? task.options.numberOfSites
-    : result.numberOfVertexSites() - result.emptyCells - repair.extraPoints;
+    : result.numberOfVertexSites() - result.emptyCells - repair.counts.extraPoints;
   return describeCells(task, control.silent(), result);
 }
 }

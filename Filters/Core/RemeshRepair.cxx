@@ -28,8 +28,7 @@ constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 
 void keepState(const RemeshResult& result, Repair& repair)
 {
-  repair.best = { result.sites, result.stations, result.featureSites, repair.addedSites,
-    repair.extraPoints, repair.flips, repair.unsettledSites };
+  repair.best = { result.sites, result.stations, result.featureSites, repair.counts };
 }
 
 void restoreState(Repair& repair, RemeshResult& result)
@@ -37,17 +36,17 @@ void restoreState(Repair& repair, RemeshResult& result)
   result.sites = repair.best.sites;
   result.stations = repair.best.stations;
   result.featureSites = repair.best.featureSites;
-  repair.addedSites = repair.best.addedSites;
-  repair.extraPoints = repair.best.extraPoints;
-  repair.flips = repair.best.flips;
-  repair.unsettledSites = repair.best.unsettledSites;
+  repair.counts = repair.best.counts;
 }
 
 Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
 {
   const Offset beyond = result.components.count() - options.numberOfSites;
-  return { options.exactNumber ? std::max({ Offset(0), -beyond, beyond - repair.extraPoints }) : 0,
-    !result.topology.certificate.holds(), result.topology.certificate.violations() + repair.flips };
+  return {
+    options.exactNumber ? std::max({ Offset(0), -beyond, beyond - repair.counts.extraPoints }) : 0,
+    !result.topology.certificate.holds(),
+    result.topology.certificate.violations() + repair.counts.flips
+  };
 }
 
 namespace
@@ -71,11 +70,11 @@ Index revise(Refinement refinement, const Certificate& failures, Offset wanted, 
 {
   // Without hope for the topology at least the number shall be right.
   const bool keepNone = repair.stage == RepairStage::GivenUp && repair.flipRounds == 0;
-  const Index kept = keepNone ? 0 : repair.addedSites;
+  const Index kept = keepNone ? 0 : repair.counts.addedSites;
   const Revision revision =
     reviseSites({ task.surface, result.sites, result.diagram }, result.components, result.dual,
       failures, result.sums, std::move(refinement), wanted, kept, result.sites);
-  repair.addedSites += revision.added;
+  repair.counts.addedSites += revision.added;
   return revision.added + revision.removed;
 }
 
@@ -134,11 +133,12 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
     result.components, result.dual, result.topology.certificate, cutTips);
   const auto count = static_cast<Offset>(refinement.added.size()) / task.surface.dimension;
   const Offset extra = repair.stage == RepairStage::BeyondNumber && repair.flipRounds == 0
-    ? std::min(count, task.options.maximumExtraPoints - repair.extraPoints)
+    ? std::min(count, task.options.maximumExtraPoints - repair.counts.extraPoints)
     : 0;
-  const Offset before = task.options.exactNumber ? task.options.numberOfSites + repair.extraPoints
-                                                 : result.components.count();
-  repair.extraPoints += extra;
+  const Offset before = task.options.exactNumber
+    ? task.options.numberOfSites + repair.counts.extraPoints
+    : result.components.count();
+  repair.counts.extraPoints += extra;
   repair.idleRounds = extra > 0 ? 0 : repair.idleRounds;
   const Index touched = revise(
     std::move(refinement), result.topology.certificate, before + extra, task, repair, result);
@@ -155,14 +155,7 @@ std::vector<Index> flippedTriangles(
   const Task& task, const RunControl& control, const RemeshResult& result)
 {
   std::vector<Point3> positions = result.components.centroids;
-  std::vector<char> fixed(positions.size(), 0);
-  for (const Index vertex : result.seams.components)
-  {
-    if (vertex != noIndex)
-    {
-      fixed[vertex] = 1;
-    }
-  }
+  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
   std::vector<Triple> triangles = result.dual.triangles;
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed };
@@ -184,21 +177,21 @@ namespace
 Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   const std::vector<Index> flipped = flippedTriangles(task, control, result);
-  repair.flips = static_cast<Offset>(flipped.size());
+  repair.counts.flips = static_cast<Offset>(flipped.size());
   if (repair.flipRounds == 0 && !result.topology.certificate.holds())
   {
-    repair.flips = 0;
+    repair.counts.flips = 0;
     if (scoreOf(task.options, result, repair) > repair.scoreOfBest)
     {
       return 0; // the best one is restored in the end
     }
     repair.scoreOfBest = worstScore; // flipped triangles were not counted yet
-    repair.flips = static_cast<Offset>(flipped.size());
+    repair.counts.flips = static_cast<Offset>(flipped.size());
   }
   keepBest(task.options, result, repair);
   const double few = fewFlips * static_cast<double>(result.dual.triangles.size());
-  if (static_cast<double>(repair.flips) <= few || repair.flipRounds >= mostFlipRounds ||
-    isHopeless(repair.flips, result))
+  if (static_cast<double>(repair.counts.flips) <= few || repair.flipRounds >= mostFlipRounds ||
+    isHopeless(repair.counts.flips, result))
   {
     return 0;
   }
@@ -211,8 +204,9 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   {
     failures.vertices.push_back(result.dual.triangles[t]);
   }
-  const Offset wanted = task.options.exactNumber ? task.options.numberOfSites + repair.extraPoints
-                                                 : result.components.count();
+  const Offset wanted = task.options.exactNumber
+    ? task.options.numberOfSites + repair.counts.extraPoints
+    : result.components.count();
   Refinement refinement = refineTriangles(
     { task.surface, result.sites, result.diagram }, result.components, result.dual, flipped);
   return refinement.added.empty()
@@ -236,7 +230,7 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   }
   if (!result.topology.certificate.holds() && repair.stage != RepairStage::GivenUp)
   {
-    repair.flips = 0;
+    repair.counts.flips = 0;
     keepBest(task.options, result, repair);
     if (const Index touched = repairTopology(task, repair, result); touched > 0)
     {
@@ -244,7 +238,7 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
       return touched;
     }
   }
-  const Offset wanted = task.options.numberOfSites + repair.extraPoints;
+  const Offset wanted = task.options.numberOfSites + repair.counts.extraPoints;
   if (task.options.exactNumber && repair.adjustments < mostAdjustments &&
     result.components.count() != wanted)
   {
@@ -262,7 +256,7 @@ bool othersMustStay(Index touched, Repair& repair)
 {
   const bool repaired = repair.adjustments > settledAdjustments ||
     repair.stage != RepairStage::Refine || repair.rounds > settledRepairs || repair.flipRounds > 0;
-  repair.unsettledSites += repaired ? touched : 0;
+  repair.counts.unsettledSites += repaired ? touched : 0;
   return repaired || repair.refinements > settledRefinements;
 }
 }

@@ -12,16 +12,22 @@
 
 namespace remesh
 {
+/** What repairs have done to a state of the sites. */
+struct RepairCounts
+{
+  Index addedSites = 0; ///< about the last ones there are
+  Offset extraPoints = 0;
+  Offset flips = 0;         ///< flipped triangles; 0 as long as the topology is being repaired
+  Index unsettledSites = 0; ///< that were changed without Lloyd's steps after
+};
+
 /** What a state of the sites is made of. */
 struct SiteState
 {
   Sites sites;
   Stations stations;
   FeatureSites featureSites;
-  Index addedSites = 0; ///< by repairs; about the last ones there are
-  Offset extraPoints = 0;
-  Offset flips = 0;
-  Index unsettledSites = 0;
+  RepairCounts counts;
 };
 
 /** How the topology is repaired, one after the other. */
@@ -50,12 +56,9 @@ struct Repair
   int rounds = 0;     ///< in this stage
   int idleRounds = 0; ///< in this stage, since one with fewer failures than all before
   Offset fewestFailures = std::numeric_limits<Offset>::max();
-  Index addedSites = 0;
-  Offset extraPoints = 0;
   int flipRounds = 0;
-  Offset flips = 0;         ///< flipped triangles; 0 as long as the topology is being repaired
-  Index unsettledSites = 0; ///< that were changed without Lloyd's steps after
 
+  RepairCounts counts;
   SiteState best;
   Score scoreOfBest = worstScore;
 };

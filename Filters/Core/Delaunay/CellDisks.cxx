@@ -48,8 +48,7 @@ public:
       if (m_edges.valence(edge) == 1)
       {
         const Index facet = m_edges.edgeFacets[m_edges.edgeFacetsBegin[edge]];
-        const Triple& own = m_edges.facetEdges[facet];
-        const auto k = std::find(own.begin(), own.end(), edge) - own.begin();
+        const int k = m_edges.sideOf(facet, edge);
         m_onBorder[m_surface.facetCorners[facet][k]] = 1;
         m_onBorder[m_surface.facetCorners[facet][(k + 1) % 3]] = 1;
       }

@@ -96,9 +96,8 @@ public:
 
   void sew(const CollarEdge& collar, Index facet)
   {
-    const Triple& own = m_features.edges.facetEdges[facet];
     m_facet = facet;
-    m_edge = static_cast<int>(std::find(own.begin(), own.end(), collar.edge) - own.begin());
+    m_edge = m_features.edges.sideOf(facet, collar.edge);
     m_seams.isComplete &=
       listStretches({ m_surface, m_allSites, m_diagram }, facet, m_edge, m_stretches);
     m_forward = m_mesh.facetPoints[facet][m_edge] == collar.start;
@@ -342,5 +341,18 @@ Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
   }
   keepNearest(seams.intrusions);
   return seams;
+}
+
+std::vector<char> verticesOnFeatures(const Seams& seams, Index numberOfVertices)
+{
+  std::vector<char> on(static_cast<std::size_t>(numberOfVertices), 0);
+  for (const Index vertex : seams.components)
+  {
+    if (vertex != noIndex)
+    {
+      on[vertex] = 1;
+    }
+  }
+  return on;
 }
 }

@@ -66,9 +66,10 @@ Index componentBeyond(
   return across < 0 ? noIndex : components.ofPiece[diagram.pieceOf(diagram.facets[piece], across)];
 }
 
-/** The vertices of a component's pieces; with a neighbour, those of the sides towards it. */
+/** The vertices of a component's pieces whose sides are towards `wanted(before, after)`. */
+template <class Wanted>
 void showVertices(const Diagram& diagram, const Components& components, Index component,
-  Index neighbor, FarthestVertex& farthest)
+  FarthestVertex& farthest, const Wanted& wanted)
 {
   const auto beyond = [&](Offset piece, Index across)
   { return componentBeyond(diagram, components, piece, across); };
@@ -78,8 +79,7 @@ void showVertices(const Diagram& diagram, const Components& components, Index co
     const Offset piece = components.pieces[p];
     for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
     {
-      if (neighbor == noIndex || beyond(piece, diagram.across[v]) == neighbor ||
-        beyond(piece, diagram.acrossIncoming(piece, v)) == neighbor)
+      if (wanted(beyond(piece, diagram.acrossIncoming(piece, v)), beyond(piece, diagram.across[v])))
       {
         farthest.show(piece, v);
       }
@@ -131,7 +131,9 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
   FarthestVertex farthest(places);
   const auto refine = [&](Index component, Index neighbor)
   {
-    showVertices(places.diagram, components, component, neighbor, farthest);
+    showVertices(places.diagram, components, component, farthest,
+      [&](Index before, Index after)
+      { return neighbor == noIndex || before == neighbor || after == neighbor; });
     addSite(places.diagram, components, farthest, refinement);
   };
   const std::vector<Index> uses = countUses(dual, components.count());
@@ -190,7 +192,6 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
 Refinement refineTriangles(const VertexPlaces& places, const Components& components,
   const Dual& dual, const std::vector<Index>& triangles)
 {
-  const Diagram& diagram = places.diagram;
   Refinement refinement;
   std::vector<char> taken(static_cast<std::size_t>(components.count()), 0);
   FarthestVertex farthest(places);
@@ -201,22 +202,10 @@ Refinement refineTriangles(const VertexPlaces& places, const Components& compone
     {
       continue;
     }
-    farthest.begin();
-    for (Offset p = components.pieceBegin[a]; p < components.pieceBegin[a + 1]; ++p)
-    {
-      const Offset piece = components.pieces[p];
-      for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
-      {
-        const Index after = componentBeyond(diagram, components, piece, diagram.across[v]);
-        const Index before =
-          componentBeyond(diagram, components, piece, diagram.acrossIncoming(piece, v));
-        if ((after == b && before == c) || (after == c && before == b))
-        {
-          farthest.show(piece, v);
-        }
-      }
-    }
-    if (addSite(diagram, components, farthest, refinement))
+    showVertices(places.diagram, components, a, farthest,
+      [b = b, c = c](Index before, Index after)
+      { return (after == b && before == c) || (after == c && before == b); });
+    if (addSite(places.diagram, components, farthest, refinement))
     {
       taken[a] = taken[b] = taken[c] = 1;
     }
@@ -334,7 +323,8 @@ void addWhereEnergyIs(
   FarthestVertex farthest(places);
   for (std::size_t k = 0; k < byEnergy.size() && count > 0; ++k)
   {
-    showVertices(places.diagram, components, byEnergy[k], noIndex, farthest);
+    showVertices(
+      places.diagram, components, byEnergy[k], farthest, [](Index, Index) { return true; });
     count -= addSite(places.diagram, components, farthest, refinement) ? 1 : 0;
   }
 }

@@ -206,8 +206,7 @@ std::vector<double> measureCurve(
          i < features.edges.edgeFacetsBegin[edge + 1]; ++i)
     {
       const Index facet = features.edges.edgeFacets[i];
-      const Triple& own = features.edges.facetEdges[facet];
-      const auto k = static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin());
+      const int k = features.edges.sideOf(facet, edge);
       const Triple& corners = mesh.facetCorners[facet];
       const double squared = squaredDistance<Eigen::Dynamic>(
         surface.corner(corners[k]), surface.corner(corners[(k + 1) % 3]), surface.dimension);

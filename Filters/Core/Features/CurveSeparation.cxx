@@ -60,8 +60,7 @@ private:
   /** One side of an edge, the stretches of its sites one after the other. */
   void watchSide(const CollarEdge& collar, Index facet, std::size_t station)
   {
-    const Triple& own = m_features.edges.facetEdges[facet];
-    const auto k = std::find(own.begin(), own.end(), collar.edge) - own.begin();
+    const int k = m_features.edges.sideOf(facet, collar.edge);
     const bool forward = m_mesh.facetPoints[facet][k] == collar.start;
     const Triple& corners = m_mesh.facetCorners[facet];
     const Index start = corners[forward ? k : (k + 1) % 3];

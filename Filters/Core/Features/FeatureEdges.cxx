@@ -3,7 +3,6 @@
 #include "Mesh/FacetGeometry.h"
 #include "Support/Grouping.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace remesh
@@ -59,11 +58,7 @@ FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double leastHeight)
 bool opposed(const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, Index first, Index second)
 {
   const auto start = [&](Index facet)
-  {
-    const Triple& own = edges.facetEdges[facet];
-    const auto k = std::find(own.begin(), own.end(), edge) - own.begin();
-    return mesh.facetPoints[facet][k];
-  };
+  { return mesh.facetPoints[facet][edges.sideOf(facet, edge)]; };
   return start(first) == start(second);
 }
 

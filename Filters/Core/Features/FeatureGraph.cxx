@@ -159,8 +159,7 @@ void joinFans(const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, Disjo
   const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
   const Index a = around[0];
   const Index b = around[1];
-  const Triple& own = edges.facetEdges[a];
-  const int k = static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin());
+  const int k = edges.sideOf(a, edge);
   for (const int end : { k, (k + 1) % 3 })
   {
     const Triple& others = mesh.facetPoints[b];

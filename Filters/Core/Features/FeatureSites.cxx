@@ -111,8 +111,7 @@ private:
   std::pair<Index, int> sideOf(Index edge, Index side) const
   {
     const Index facet = m_features.edges.edgeFacets[m_features.edges.edgeFacetsBegin[edge] + side];
-    const Triple& own = m_features.edges.facetEdges[facet];
-    return { facet, static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin()) };
+    return { facet, m_features.edges.sideOf(facet, edge) };
   }
 
   void begin(const Point3& place, Index curve)

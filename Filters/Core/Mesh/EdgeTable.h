@@ -8,6 +8,8 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Support/RunControl.h"
 
+#include <algorithm>
+
 namespace remesh
 {
 /** Edge k of a facet joins its points k and (k + 1) % 3. */
@@ -21,6 +23,13 @@ struct EdgeTable
   Index valence(Index edge) const
   {
     return static_cast<Index>(this->edgeFacetsBegin[edge + 1] - this->edgeFacetsBegin[edge]);
+  }
+
+  /** Which of the facet's sides the edge is; 3 if none. */
+  int sideOf(Index facet, Index edge) const
+  {
+    const Triple& own = this->facetEdges[facet];
+    return static_cast<int>(std::find(own.begin(), own.end(), edge) - own.begin());
   }
 };
 
