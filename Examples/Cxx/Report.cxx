@@ -75,6 +75,7 @@ void AddOutput(JsonWriter& json, vtkPolyData* surface)
   json.Add("points", static_cast<long long>(surface->GetNumberOfPoints()));
   json.Add("triangles", static_cast<long long>(surface->GetNumberOfPolys()));
   json.Add("extra_points", FactOf(surface, "NumberOfExtraPoints"));
+  json.Add("flipped_triangles", FactOf(surface, "NumberOfFlippedTriangles"));
   for (const auto& [name, array] :
     { std::pair<const char*, const char*>{ "maximum_distance", "MaximumDistance" },
       { "rms_distance", "RMSDistance" } })

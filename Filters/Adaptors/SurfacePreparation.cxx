@@ -4,6 +4,7 @@
 #include "Adaptors/FacetLabels.h"
 #include "Adaptors/SurfaceIntake.h"
 #include "Features/FeatureGraph.h"
+#include "Mesh/Extent.h"
 #include "Mesh/NormalFlow.h"
 #include "Mesh/Normals.h"
 

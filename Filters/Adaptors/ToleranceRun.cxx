@@ -1,6 +1,7 @@
 #include "Adaptors/ToleranceRun.h"
 
 #include "Adaptors/MemoryCheck.h"
+#include "Mesh/Extent.h"
 #include "MeshDistance.h"
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 
 #include "Embedding/Embedding.h"
 #include "Mesh/ClosestPoint.h"
+#include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
 #include "Mesh/Normals.h"
 #include "Remesh.h"

@@ -111,16 +111,6 @@ double triangleArea(const double* p1, const double* p2, const double* p3, int di
   return 0.5 * std::sqrt(longest) * std::sqrt(height2);
 }
 
-double boundingBoxDiagonal(const SurfaceMesh& mesh)
-{
-  Eigen::AlignedBox3d box;
-  for (const Point3& point : mesh.points)
-  {
-    box.extend(point);
-  }
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
 CornerCoordinates positionCoordinates(const SurfaceMesh& mesh)
 {
   CornerCoordinates coordinates;

@@ -72,9 +72,6 @@ void separatePatches(const std::vector<Index>& facetPatches, EmbeddedSurface& su
  */
 void roundToCaller(const EmbeddedSurface& surface, Sites& sites);
 
-/** Length of the diagonal of the points' bounding box. */
-double boundingBoxDiagonal(const SurfaceMesh& mesh);
-
 /** Area of a triangle in R^d from its Gram determinant, stable for slivers. */
 double triangleArea(const double* p1, const double* p2, const double* p3, int dimension);
 }

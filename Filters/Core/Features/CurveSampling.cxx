@@ -1,7 +1,7 @@
 #include "Features/CurveSampling.h"
 
 #include "Embedding/Distance.h"
-#include "Embedding/Embedding.h"
+#include "Mesh/Extent.h"
 
 #include <algorithm>
 #include <cmath>

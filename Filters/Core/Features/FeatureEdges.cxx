@@ -1,5 +1,6 @@
 #include "Features/FeatureEdges.h"
 
+#include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
 #include "Support/Grouping.h"
 
@@ -9,20 +10,7 @@ namespace remesh
 {
 namespace
 {
-constexpr double resolution = 1e-6; // of the diagonal: what single precision can tell
-constexpr int mostSteps = 8;        // over thin facets, to one with a normal
-
-double diagonalOf(const SurfaceMesh& mesh)
-{
-  Point3 lower = mesh.points.front();
-  Point3 upper = lower;
-  for (const Point3& point : mesh.points)
-  {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-  return (upper - lower).norm();
-}
+constexpr int mostSteps = 8; // over thin facets, to one with a normal
 
 struct FacetShape
 {
@@ -31,7 +19,7 @@ struct FacetShape
   int longest; ///< its longest edge
 };
 
-FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double leastHeight)
+FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double least)
 {
   const Triple& points = mesh.facetPoints[facet];
   const Point3* p[3];
@@ -50,7 +38,7 @@ FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double leastHeight)
       shape.longest = k;
     }
   }
-  shape.thin = 2.0 * facetArea(*p[0], *p[1], *p[2]) < leastHeight * longest;
+  shape.thin = 2.0 * facetArea(*p[0], *p[1], *p[2]) < least * longest;
   return shape;
 }
 
@@ -76,7 +64,7 @@ Index beyond(const EdgeTable& edges, Index edge, Index facet)
 std::vector<Point3> reliableNormals(
   const SurfaceMesh& mesh, const EdgeTable& edges, const RunControl& control)
 {
-  const double leastHeight = resolution * diagonalOf(mesh);
+  const double least = leastHeight(mesh);
   const Index count = mesh.numberOfFacets();
   std::vector<FacetShape> shapes(static_cast<std::size_t>(count));
   std::vector<Point3> normals(shapes.size());
@@ -97,9 +85,8 @@ std::vector<Point3> reliableNormals(
     }
     normals[f] = shapes[at].thin ? shapes[f].normal : Point3(sign * shapes[at].normal);
   };
-  static_cast<void>(
-    forEachItem(count, control,
-      [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), leastHeight); }) &&
+  static_cast<void>(forEachItem(count, control,
+                      [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), least); }) &&
     forEachItem(count, control, findNormal));
   return normals;
 }

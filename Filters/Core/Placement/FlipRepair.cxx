@@ -2,6 +2,7 @@
 
 #include "Placement/RepairedMesh.h"
 #include "Placement/TriangleShape.h"
+#include "Placement/Untangling.h"
 #include "Support/Grouping.h"
 
 #include <algorithm>
@@ -10,9 +11,11 @@ namespace remesh
 {
 namespace
 {
-constexpr int movingPasses = 3; // in which vertices move, and every step must turn a triangle back
-constexpr int turningPass = 3;  // in which edges may turn, too
-constexpr int mostPasses = 15;
+constexpr int untanglingPass = 3; // in which the vertices around move together
+constexpr int movingPasses = 4;   // in which every step must turn a triangle back
+constexpr int turningPass = 4;    // in which edges may turn, too
+constexpr int mostRings = 3;
+constexpr int mostPasses = 18;
 constexpr double leastGain = 0.02; // in later ones
 constexpr std::size_t mostSamples = 12;
 
@@ -294,6 +297,13 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
       if (isFlipped())
       {
         mend(shop, triangle, mesh, repair);
+      }
+      if (pass >= untanglingPass && pass != turningPass)
+      {
+        for (int rings = 1; rings <= mostRings && isFlipped(); ++rings)
+        {
+          repair.movedVertices += untangle(problem, surface, triangle, rings, mesh);
+        }
       }
       if (pass > turningPass && isFlipped())
       {

@@ -39,14 +39,15 @@ enum class FlipSteps
  * 2. For each, tries other places for its vertices (not fixed ones): the cell's centroid, its point
  *    on the surface, the mean of the neighbours, and the ways there. Each step must turn a triangle
  *    back.
- * 3. Turns edges of what is left over (not those along features), if the topology stays.
- * 4. What is left then gets more places to try, and what is around it may move and turn: steps need
- *    only lower what the triangles deviate from the surface's normals. They are undone if the
- *    triangle stays flipped, until all else has been tried.
+ * 3. Moves the vertices around what is left over together (Untangling.h).
+ * 4. Turns edges of what is left then (not those along features), if the topology stays.
+ * 5. What is left after that gets more places to try, and what is around it may move and turn:
+ * steps need only lower what the triangles deviate from the surface's normals. They are undone if
+ * the triangle stays flipped, until all else has been tried.
  *
- * Without turned edges, it ends after step 2.
+ * Without turned edges, it ends after step 3.
  *
- * Steps 2 to 4 go from triangle to triangle in order: flipped ones are few. They end when nothing
+ * Steps 2 to 5 go from triangle to triangle in order: flipped ones are few. They end when nothing
  * is flipped, or nothing helps.
  *
  * @param surfacePlaces K, the points of the surface closest to the centroids.

@@ -9,8 +9,9 @@
 
 namespace remesh
 {
-NearbySurface::NearbySurface(const PlacementProblem& problem)
+NearbySurface::NearbySurface(const PlacementProblem& problem, double leastHeight)
   : m_problem(problem)
+  , m_leastHeight(leastHeight)
   , m_reach(problem.mesh.facetPoints.size())
 {
   for (Index f = 0; f < problem.mesh.numberOfFacets(); ++f)
@@ -54,16 +55,41 @@ SurfaceLocation NearbySurface::closest(
   return location;
 }
 
-double NearbySurface::facingOf(const Triple& components, const std::array<Point3, 3>& corners) const
+bool NearbySurface::isFlat(const std::array<Point3, 3>& corners) const
+{
+  constexpr double sliver = 0.01; // of the length
+  const double length = std::sqrt(std::max({ (corners[1] - corners[0]).squaredNorm(),
+    (corners[2] - corners[1]).squaredNorm(), (corners[0] - corners[2]).squaredNorm() }));
+  return 2.0 * facetArea(corners[0], corners[1], corners[2]) <
+    length * std::min(m_leastHeight, sliver * length);
+}
+
+Point3 NearbySurface::closestPoint(const Index* begin, const Index* end, const Point3& point) const
+{
+  const SurfaceLocation at = this->closest(begin, end, point);
+  if (at.facet == noIndex)
+  {
+    return point;
+  }
+  return at.b[0] * m_problem.facetPoint(at.facet, 0) + at.b[1] * m_problem.facetPoint(at.facet, 1) +
+    at.b[2] * m_problem.facetPoint(at.facet, 2);
+}
+
+Point3 NearbySurface::normalNear(
+  const Triple& components, const std::array<Point3, 3>& corners) const
 {
   const Point3 center = (corners[0] + corners[1] + corners[2]) / 3.0;
   const Index facet = this->closest(components.data(), components.data() + 3, center).facet;
+  return facet == noIndex ? Point3(Point3::Zero())
+                          : facetNormal(m_problem.facetPoint(facet, 0),
+                              m_problem.facetPoint(facet, 1), m_problem.facetPoint(facet, 2));
+}
+
+double NearbySurface::facingOf(const Triple& components, const std::array<Point3, 3>& corners) const
+{
   const Point3 normal = facetNormal(corners[0], corners[1], corners[2]);
-  if (facet == noIndex || normal.isZero(0.0))
-  {
-    return -1.0;
-  }
-  return normal.dot(facetNormal(m_problem.facetPoint(facet, 0), m_problem.facetPoint(facet, 1),
-    m_problem.facetPoint(facet, 2)));
+  const Point3 wanted = this->normalNear(components, corners);
+  return normal.isZero(0.0) || wanted.isZero(0.0) || this->isFlat(corners) ? -1.0
+                                                                           : normal.dot(wanted);
 }
 }

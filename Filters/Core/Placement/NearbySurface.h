@@ -18,14 +18,27 @@ namespace remesh
 class NearbySurface
 {
 public:
-  explicit NearbySurface(const PlacementProblem& problem);
+  /**
+   * @param leastHeight unit of the points; triangles less high, and far less than long, have no
+   *        normal.
+   */
+  explicit NearbySurface(const PlacementProblem& problem, double leastHeight = 0.0);
 
   /** The closest point; its facet is noIndex without pieces. */
   SurfaceLocation closest(const Index* begin, const Index* end, const Point3& point) const;
 
+  /** Its place; the point itself without pieces. */
+  Point3 closestPoint(const Index* begin, const Index* end, const Point3& point) const;
+
   /**
-   * The cosine between the normals of a triangle and of the facet closest to its centroid, among
-   * those of the cells of its three vertices. -1 without area.
+   * The normal of the facet closest to a triangle's centroid, among those of the cells of its three
+   * vertices; zero without pieces.
+   */
+  Point3 normalNear(const Triple& components, const std::array<Point3, 3>& corners) const;
+
+  /**
+   * The cosine between the normal of a triangle and that near it of the surface. -1 without a
+   * normal.
    */
   double facingOf(const Triple& components, const std::array<Point3, 3>& corners) const;
   bool isFlipped(const Triple& components, const std::array<Point3, 3>& corners) const
@@ -34,7 +47,11 @@ public:
   }
 
 private:
+  /** Whether a triangle's corners are all but collinear. */
+  bool isFlat(const std::array<Point3, 3>& corners) const;
+
   const PlacementProblem& m_problem;
+  double m_leastHeight;
   std::vector<double> m_reach; ///< F, the largest distance from a facet's first point to another
 };
 }

@@ -1,5 +1,6 @@
 #include "Placement/Placement.h"
 
+#include "Mesh/Extent.h"
 #include "Placement/Quadric.h"
 #include "Placement/StepLimit.h"
 #include "Placement/SurfaceFit.h"
@@ -112,7 +113,7 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
       return status;
     }
   }
-  const NearbySurface surface(problem);
+  const NearbySurface surface(problem, leastHeight(problem.mesh));
   if (Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn,
         control.step(1, 2), triangles, placement.positions, placement.repair);
       !status.ok())

@@ -63,13 +63,7 @@ Point3 RepairedMesh::onSurface(Index vertex, const Point3& place) const
 {
   std::vector<Index> cells = this->neighbours(vertex);
   cells.push_back(vertex);
-  const SurfaceLocation at = m_surface.closest(cells.data(), cells.data() + cells.size(), place);
-  if (at.facet == noIndex)
-  {
-    return place;
-  }
-  return at.b[0] * m_problem.facetPoint(at.facet, 0) + at.b[1] * m_problem.facetPoint(at.facet, 1) +
-    at.b[2] * m_problem.facetPoint(at.facet, 2);
+  return m_surface.closestPoint(cells.data(), cells.data() + cells.size(), place);
 }
 
 bool RepairedMesh::isFlipped(const Triple& triangle) const

@@ -1,0 +1,104 @@
+// Flipped triangles: vertices that have changed places, and triangles without a height.
+#include "Placement/FlipRepair.h"
+#include "Placement/TriangleShape.h"
+#include "Placement/Untangling.h"
+#include "TestPlacements.h"
+
+namespace
+{
+using namespace remesh;
+
+/** A mesh whose vertices a test may misplace. */
+struct Fixture
+{
+  SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.3, 60, 25));
+  EmbeddedSurface surface = test::gaussMapOf(mesh, 0.05);
+  RemeshResult result = test::remeshed(mesh, 0.05, 300, VertexPlacement::Centroid);
+  std::vector<char> fixed = std::vector<char>(result.placement.positions.size(), 0);
+  PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
+    result.dual.triangles, fixed };
+  NearbySurface near{ problem };
+
+  std::vector<Index> flipped(const std::vector<Point3>& positions) const
+  {
+    std::vector<Index> found;
+    CHECK(findFlipped(near, result.dual.triangles, positions, RunControl(), found).ok());
+    return found;
+  }
+};
+
+/** Two neighbours that have changed places: neither can get back as long as the other stays. */
+void testSwapped()
+{
+  Fixture fixture;
+  const std::vector<Point3> sound = fixture.result.placement.positions;
+  CHECK(fixture.flipped(sound).empty());
+  int mended = 0;
+  for (Index t = 0; t < 200; t += 10)
+  {
+    std::vector<Triple> triangles = fixture.result.dual.triangles;
+    std::vector<Point3> positions = sound;
+    const auto& [a, b, c] = triangles[t];
+    std::swap(positions[a], positions[b]);
+    CHECK(!fixture.flipped(positions).empty());
+    const std::vector<Point3> swapped = positions;
+    RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
+    const Offset moved = untangle(fixture.problem, fixture.near, t, 2, mesh);
+    CHECK_EQUAL(moved > 0, positions != swapped);
+    CHECK(moved == 0 || fixture.flipped(positions).empty());
+    for (const Point3& place : positions)
+    {
+      CHECK(test::distanceTo(fixture.mesh.facetPoints, fixture.mesh.points, place) < 0.02);
+    }
+    mended += moved > 0 ? 1 : 0;
+  }
+  CHECK(mended >= 18); // of 20
+}
+
+/** Fixed vertices stay; without any other, nothing happens. */
+void testFixed()
+{
+  Fixture fixture;
+  std::vector<Triple> triangles = fixture.result.dual.triangles;
+  std::vector<Point3> positions = fixture.result.placement.positions;
+  const auto& [a, b, c] = triangles.front();
+  std::swap(positions[a], positions[b]);
+  const std::vector<Point3> before = positions;
+  fixture.fixed[a] = 1;
+  {
+    RepairedMesh mesh(fixture.problem, fixture.near, before, triangles, positions);
+    untangle(fixture.problem, fixture.near, 0, 2, mesh);
+    CHECK(positions[a] == before[a]);
+  }
+  fixture.fixed.assign(fixture.fixed.size(), 1);
+  positions = before;
+  RepairedMesh mesh(fixture.problem, fixture.near, before, triangles, positions);
+  CHECK_EQUAL(untangle(fixture.problem, fixture.near, 0, 3, mesh), 0);
+  CHECK(positions == before);
+}
+
+/** A triangle whose corners are collinear but for rounding has no normal. */
+void testFlat()
+{
+  const Fixture fixture;
+  const Triple& triangle = fixture.result.dual.triangles.front();
+  Corners corners = cornersOf(triangle, fixture.result.placement.positions);
+  const NearbySurface strict(fixture.problem, leastHeight(fixture.mesh));
+  CHECK(!strict.isFlipped(triangle, corners));
+  const Point3 height = corners[2] - 0.5 * (corners[0] + corners[1]);
+  for (const double share : { 1e-3, 1e-8 })
+  {
+    corners[2] = 0.5 * (corners[0] + corners[1]) + share * height;
+    CHECK(!fixture.near.isFlipped(triangle, corners));
+    CHECK_EQUAL(strict.isFlipped(triangle, corners), share < 1e-6);
+  }
+}
+}
+
+int TestUntangling(int, char*[])
+{
+  testSwapped();
+  testFixed();
+  testFlat();
+  return test::result();
+}
