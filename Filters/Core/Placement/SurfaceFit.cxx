@@ -9,6 +9,7 @@ namespace
 {
 // With fewer, the triangles come closer to the samples than to what is between.
 constexpr int samplesPerVertex = 36;
+constexpr int coarseSamples = 16; // in the first half of the rounds
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
 }
 
@@ -20,7 +21,8 @@ Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, i
   FitSystem system = makeFitSystem(problem, edges);
   for (int round = 0; round < rounds; ++round)
   {
-    if (!assembleFit(problem, stars, edges, positions, shapes, samplesPerVertex, control, system))
+    const int samples = 2 * round < rounds ? coarseSamples : samplesPerVertex;
+    if (!assembleFit(problem, stars, edges, positions, shapes, samples, control, system))
     {
       return Status::cancelled();
     }
