@@ -6,6 +6,7 @@
 #include "Support/Grouping.h"
 
 #include <algorithm>
+#include <set>
 
 namespace remesh
 {
@@ -214,6 +215,53 @@ void mendAround(
   repair.flippedEdges += static_cast<Offset>(turned.size());
 }
 
+std::pair<Index, Index> edgeOf(const Triple& triangle, int k)
+{
+  return std::minmax(triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+}
+
+/** Turns edges back that the dual does not have, where nothing flips by that. */
+void turnBack(const std::vector<Triple>& dual, RepairedMesh& mesh, FlipRepair& repair)
+{
+  std::vector<Index> changed;
+  std::set<std::pair<Index, Index>> edges; ///< that changed triangles had
+  for (std::size_t t = 0; t < dual.size(); ++t)
+  {
+    if (dual[t] != mesh.triangles()[t])
+    {
+      changed.push_back(static_cast<Index>(t));
+      for (int k = 0; k < 3; ++k)
+      {
+        edges.insert(edgeOf(dual[t], k));
+      }
+    }
+  }
+  const auto isSound = [&](const RepairedMesh::Turn& turn)
+  {
+    const Triple& first = turn.fresh[0]; // apex, a, opposite: the new edge is opposite to a
+    return edges.count(edgeOf(first, 1)) > 0 && !mesh.isFlipped(first) &&
+      !mesh.isFlipped(turn.fresh[1]);
+  };
+  for (bool any = true; any;)
+  {
+    any = false;
+    for (const Index t : changed)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        RepairedMesh::Turn turn;
+        if (edges.count(edgeOf(mesh.triangles()[t], k)) == 0 && mesh.canTurn(t, k, turn) &&
+          isSound(turn))
+        {
+          mesh.apply(turn);
+          --repair.flippedEdges;
+          any = true;
+        }
+      }
+    }
+  }
+}
+
 struct Repaired
 {
   std::vector<Triple> triangles;
@@ -254,6 +302,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   FlipRepair& repair)
 {
   repair = FlipRepair{};
+  const std::vector<Triple> dual = triangles;
   RepairedMesh mesh(problem, surface, shapes, triangles, positions);
   Offset doneBefore = 0;
   Effort effort = Effort::OwnStars;
@@ -282,6 +331,8 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
         positions = before.positions;
         repair = before.repair;
       }
+      RepairedMesh repaired(problem, surface, shapes, triangles, positions);
+      turnBack(dual, repaired, repair);
       return Status::success();
     }
     doneBefore = done;

@@ -45,6 +45,8 @@ enum class FlipSteps
  * steps need only lower what the triangles deviate from the surface's normals. They are undone if
  * the triangle stays flipped, until all else has been tried.
  *
+ * 6. Turns edges back where that flips nothing.
+ *
  * Without turned edges, it ends after step 3.
  *
  * Steps 2 to 5 go from triangle to triangle in order: flipped ones are few. They end when nothing
