@@ -22,13 +22,13 @@
  * features enclose. Such points lie on the feature, whatever `VertexPlacement` says.
  *
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
- * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose
- * normal makes more than 90 degrees with the surface's closest to their centre),
- * `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `NumberOfExtraPoints`
- * (points beyond those asked for, or, where sites are given or features are not preserved, beyond
- * the number of sites), `Seed`; with MeasureDistance `MaximumDistance` (the largest found from mesh
- * to surface or back; with a distance tolerance a bound that no point passes) and `RMSDistance`
- * (root of the mean of both mean squares), in the unit of the points.
+ * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose normal makes
+ * more than 90 degrees with the surface's closest to their centre, or whose corners are all but
+ * collinear), `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`,
+ * `NumberOfExtraPoints` (points beyond those asked for, or, where sites are given or features are
+ * not preserved, beyond the number of sites), `Seed`; with MeasureDistance `MaximumDistance` (the
+ * largest found from mesh to surface or back; with a distance tolerance a bound that no point
+ * passes) and `RMSDistance` (root of the mean of both mean squares), in the unit of the points.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball
@@ -99,8 +99,9 @@ public:
    *   as far as no triangle turns over or collapses. The distance to the surface is about a third
    *   of that of CENTROID.
    *
-   * Points where a triangle would face against the surface are put elsewhere in all cases, and only
-   * where that does not help, edges are turned over: these triangles are not the dual of the cells.
+   * Points where a triangle would face against the surface are put elsewhere in all cases, first one
+   * by one and then together with those around, and only where that does not help, edges are turned
+   * over: these triangles are not the dual of the cells.
    * See the field array `NumberOfFlippedTriangles` for what is left.
    */
   vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);

@@ -42,9 +42,8 @@ enum class FlipSteps
  * 3. Moves the vertices around what is left over together (Untangling.h).
  * 4. Turns edges of what is left then (not those along features), if the topology stays.
  * 5. What is left after that gets more places to try, and what is around it may move and turn:
- * steps need only lower what the triangles deviate from the surface's normals. They are undone if
- * the triangle stays flipped, until all else has been tried.
- *
+ *    steps need only lower what the triangles deviate from the surface's normals. They are undone
+ *    if the triangle stays flipped, until all else has been tried.
  * 6. Turns edges back where that flips nothing.
  *
  * Without turned edges, it ends after step 3.

@@ -1,0 +1,41 @@
+/**
+ * @file StarRepair.h
+ * @brief Turns one flipped triangle back by what is around it.
+ */
+#ifndef remesh_StarRepair_h
+#define remesh_StarRepair_h
+
+#include "Placement/FlipRepair.h"
+#include "Placement/RepairedMesh.h"
+
+namespace remesh
+{
+/** What may change around a triangle that nothing helps alone. */
+enum class Effort
+{
+  OwnStars,   ///< the stars of its corners; undone if that does not help
+  Neighbours, ///< those of their neighbours, too; undone if that does not help
+  KeptAnyway, ///< the same, and it stays: something may help later
+  Everything  ///< has been done
+};
+
+/** What a repair reads, and the least gain of a step in the pass it is in. */
+struct RepairContext
+{
+  const PlacementProblem& problem;
+  const std::vector<Point3>& surfacePlaces;
+  const RunControl& control;
+  bool mayTurn;
+  double gain;
+};
+
+/** Moves the corners of a triangle, then turns its edges, until it is turned back. */
+void mendTriangle(
+  const RepairContext& context, Index triangle, RepairedMesh& mesh, FlipRepair& repair);
+
+/** Moves and turns what is around a triangle that nothing helps alone; see Effort. */
+void mendAround(const RepairContext& context, Index triangle, Effort effort, RepairedMesh& mesh,
+  FlipRepair& repair);
+}
+
+#endif
