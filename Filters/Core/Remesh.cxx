@@ -132,15 +132,13 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   result.seconds.placement = watch.lap();
   return status.ok() ? knowMesh(control.silent(), result) : status;
 }
-}
 
-Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RemeshOptions& options, RunControl control, RemeshResult& result, const Features* features)
+/** From the sites to the mesh. */
+Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResult& result)
 {
-  const Task task{ mesh, surface, features, options };
   result.topology = {};
   control.enterPhase("Restricted Voronoi diagram", 0.0, 0.6);
-  if (Status status = findDual(task, control, result); !status.ok())
+  if (Status status = findDual(task, othersStay, control, result); !status.ok())
   {
     return status;
   }
@@ -151,6 +149,13 @@ Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   result.vertexKinds = findVertexKinds(result);
   control.enterPhase("Vertex placement", 0.6, 1.0);
   return place(task, control, result);
+}
+}
+
+Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, RunControl control, RemeshResult& result, const Features* features)
+{
+  return endRun({ mesh, surface, features, options }, true, control, result);
 }
 
 Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
@@ -177,9 +182,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     roundToCaller(surface, result.sites);
     result.evaluations = voronoi.evaluations();
   }
-  if (Status status =
-        completeMesh(mesh, surface, options, control.part(0.85, 1.0), result, features);
-      !status.ok())
+  if (Status status = endRun(task, false, control.part(0.85, 1.0), result); !status.ok())
   {
     return status;
   }

@@ -123,6 +123,8 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
 
 /**
  * Ends a run again, from the diagram on, after its sites were moved or others added behind them.
+ * Repairs leave all sites alone that they need not change, so that the mesh stays as it is
+ * elsewhere.
  *
  * @param result of the run, with the same surface, options and features.
  */

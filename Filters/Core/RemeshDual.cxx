@@ -193,15 +193,16 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
 }
 }
 
-Status findDual(const Task& task, const RunControl& control, RemeshResult& result)
+Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result)
 {
   Repair repair;
+  repair.othersStay = othersStay;
   Status status = knowSurface(task, control.silent(), result);
   if (status.ok())
   {
     status = mendAll(task, control, repair, result);
   }
-  if (status.ok())
+  if (status.ok() && !othersStay)
   {
     status = smooth(task, control.silent(), repair, result);
   }

@@ -23,10 +23,11 @@ namespace remesh
  * in the end, as far as the certificate holds and no more triangles are flipped. The state with the
  * best score (RemeshRepair.h) counts.
  *
+ * @param othersStay from the first change on, nothing changes but what must.
  * @param result its sites are given, and change.
  * Cost: of each round about that of three steps of Lloyd's, less where these are left out.
  */
-Status findDual(const Task& task, const RunControl& control, RemeshResult& result);
+Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result);
 }
 
 #endif

@@ -254,7 +254,7 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
 
 bool othersMustStay(Index touched, Repair& repair)
 {
-  const bool repaired = repair.adjustments > settledAdjustments ||
+  const bool repaired = repair.othersStay || repair.adjustments > settledAdjustments ||
     repair.stage != RepairStage::Refine || repair.rounds > settledRepairs || repair.flipRounds > 0;
   repair.counts.unsettledSites += repaired ? touched : 0;
   return repaired || repair.refinements > settledRefinements;

@@ -50,6 +50,7 @@ const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0 };
 /** What was mended how often, each with its own bound, and the best state so far. */
 struct Repair
 {
+  bool othersStay = false; ///< only sites touched may change, from the first on
   int refinements = 0;
   int adjustments = 0;
   RepairStage stage = RepairStage::Refine;
