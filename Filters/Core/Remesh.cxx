@@ -137,6 +137,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
 Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResult& result)
 {
   result.topology = {};
+  result.placement = {};
   control.enterPhase("Restricted Voronoi diagram", 0.0, 0.6);
   if (Status status = findDual(task, othersStay, control, result); !status.ok())
   {

@@ -70,7 +70,10 @@ void restoreState(Repair& repair, RemeshResult& result);
 
 Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
 
-/** The flipped triangles of the cells' centroids that no vertex can turn back where it may move. */
+/**
+ * The flipped triangles of the cells' centroids that are not turned back by moving vertices, alone
+ * or together. Those without a height are not among them: turned edges mend them.
+ */
 std::vector<Index> flippedTriangles(
   const Task& task, const RunControl& control, const RemeshResult& result);
 

@@ -2,6 +2,8 @@
 #include "Support/Random.h"
 #include "TestPlacements.h"
 
+#include <algorithm>
+
 namespace
 {
 using namespace remesh;

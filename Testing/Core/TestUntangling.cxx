@@ -4,6 +4,8 @@
 #include "Placement/Untangling.h"
 #include "TestPlacements.h"
 
+#include <utility>
+
 namespace
 {
 using namespace remesh;
@@ -43,7 +45,7 @@ void testSwapped()
     CHECK(!fixture.flipped(positions).empty());
     const std::vector<Point3> swapped = positions;
     RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
-    const Offset moved = untangle(fixture.problem, fixture.near, t, 2, mesh);
+    const Offset moved = untangle(fixture.problem, fixture.near, t, 2, RunControl(), mesh);
     CHECK_EQUAL(moved > 0, positions != swapped);
     CHECK(moved == 0 || fixture.flipped(positions).empty());
     for (const Point3& place : positions)
@@ -67,13 +69,13 @@ void testFixed()
   fixture.fixed[a] = 1;
   {
     RepairedMesh mesh(fixture.problem, fixture.near, before, triangles, positions);
-    untangle(fixture.problem, fixture.near, 0, 2, mesh);
+    untangle(fixture.problem, fixture.near, 0, 2, RunControl(), mesh);
     CHECK(positions[a] == before[a]);
   }
   fixture.fixed.assign(fixture.fixed.size(), 1);
   positions = before;
   RepairedMesh mesh(fixture.problem, fixture.near, before, triangles, positions);
-  CHECK_EQUAL(untangle(fixture.problem, fixture.near, 0, 3, mesh), 0);
+  CHECK_EQUAL(untangle(fixture.problem, fixture.near, 0, 3, RunControl(), mesh), 0);
   CHECK(positions == before);
 }
 

@@ -4,6 +4,7 @@
 #include "Mesh/FacetGeometry.h"
 #include "Support/Grouping.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace remesh

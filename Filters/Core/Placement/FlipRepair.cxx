@@ -1,5 +1,6 @@
 #include "Placement/FlipRepair.h"
 
+#include "Placement/RepairedMesh.h"
 #include "Placement/StarRepair.h"
 #include "Placement/TriangleShape.h"
 #include "Placement/Untangling.h"
@@ -7,15 +8,18 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace remesh
 {
 namespace
 {
-constexpr int untanglingPass = 3; // in which the vertices around move together
+constexpr int untanglingPass = 3; // from which on the vertices around move together
 constexpr int movingPasses = 4;   // in which every step must turn a triangle back
 constexpr int turningPass = 4;    // in which edges may turn, too
 constexpr int mostRings = 3;
+constexpr std::size_t mostUntangled = 2000; // with more flipped triangles, points are too few
 constexpr int mostPasses = 18;
 constexpr double leastGain = 0.02; // in later ones
 
@@ -57,6 +61,10 @@ void turnBack(const std::vector<Triple>& dual, RepairedMesh& mesh, FlipRepair& r
         if (edges.count(edgeOf(mesh.triangles()[t], k)) == 0 && mesh.canTurn(t, k, turn) &&
           isSound(turn))
         {
+          for (const Index old : turn.old)
+          {
+            repair.flippedTriangles -= mesh.isFlipped(mesh.triangles()[old]) ? 1 : 0;
+          }
           mesh.apply(turn);
           --repair.flippedEdges;
           any = true;
@@ -135,8 +143,11 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
         positions = before.positions;
         repair = before.repair;
       }
-      RepairedMesh repaired(problem, surface, shapes, triangles, positions);
-      turnBack(dual, repaired, repair);
+      if (repair.flippedEdges > 0)
+      {
+        RepairedMesh repaired(problem, surface, shapes, triangles, positions);
+        turnBack(dual, repaired, repair);
+      }
       return Status::success();
     }
     doneBefore = done;
@@ -153,11 +164,11 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
       {
         mendTriangle(context, triangle, mesh, repair);
       }
-      if (pass >= untanglingPass && pass != turningPass)
+      if (pass >= untanglingPass && pass != turningPass && flipped.size() <= mostUntangled)
       {
         for (int rings = 1; rings <= mostRings && isFlipped(); ++rings)
         {
-          repair.movedVertices += untangle(problem, surface, triangle, rings, mesh);
+          repair.movedVertices += untangle(problem, surface, triangle, rings, control, mesh);
         }
       }
       if (pass > turningPass && isFlipped())

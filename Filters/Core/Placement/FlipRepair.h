@@ -20,8 +20,8 @@ struct FlipRepair
 };
 
 /**
- * The triangles whose normal makes more than 90 degrees with that of the closest facet
- * (NearbySurface.h), ascending. Parallel.
+ * The triangles whose normal makes more than 90 degrees with that of the closest facet, or that
+ * have none (NearbySurface.h), ascending. Parallel.
  *
  * @return Cancelled; then `flipped` is of no use.
  */
@@ -39,7 +39,8 @@ enum class FlipSteps
  * 2. For each, tries other places for its vertices (not fixed ones): the cell's centroid, its point
  *    on the surface, the mean of the neighbours, and the ways there. Each step must turn a triangle
  *    back.
- * 3. Moves the vertices around what is left over together (Untangling.h).
+ * 3. Moves the vertices around what is left over together (Untangling.h), unless it is very much;
+ *    likewise in each pass of step 5.
  * 4. Turns edges of what is left then (not those along features), if the topology stays.
  * 5. What is left after that gets more places to try, and what is around it may move and turn:
  *    steps need only lower what the triangles deviate from the surface's normals. They are undone

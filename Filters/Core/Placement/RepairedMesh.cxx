@@ -20,8 +20,7 @@ bool has(const Triple& triangle, Index vertex)
 
 RepairedMesh::RepairedMesh(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Point3>& shapes, std::vector<Triple>& triangles, std::vector<Point3>& positions)
-  : m_problem(problem)
-  , m_surface(surface)
+  : m_surface(surface)
   , m_shapes(shapes)
   , m_triangles(triangles)
   , m_positions(positions)

@@ -65,7 +65,6 @@ private:
   Index acrossEdge(Index triangle, Index a, Index b) const;
   bool mayLose(Index vertex) const;
 
-  const PlacementProblem& m_problem;
   const NearbySurface& m_surface;
   const std::vector<Point3>& m_shapes;
   std::vector<Triple>& m_triangles;

@@ -1,6 +1,8 @@
 #include "Placement/StarRepair.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace remesh
 {

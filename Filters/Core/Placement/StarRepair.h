@@ -7,6 +7,9 @@
 
 #include "Placement/FlipRepair.h"
 #include "Placement/RepairedMesh.h"
+#include "Support/RunControl.h"
+
+#include <vector>
 
 namespace remesh
 {

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <vector>
 
 namespace remesh
 {
@@ -16,6 +17,7 @@ constexpr int sweeps = 6;          // over the vertices, in a round
 constexpr double leastArea = 0.05; // of the mean
 constexpr double damping = 1e-3;   // of the gradients' squares
 constexpr double mostError = 1.5;  // of the error before
+constexpr double noError = 1e-6;   // as if the triangles were a thousandth of their size away
 
 void sortUnique(std::vector<Index>& ids)
 {
@@ -82,6 +84,18 @@ public:
   {
     return std::count_if(m_triangles.begin(), m_triangles.end(),
       [&](Index t) { return m_mesh.isFlipped(m_mesh.triangles()[t]); });
+  }
+
+  /** An integral of squared distances that is as good as none. */
+  double negligibleError() const
+  {
+    double sum = 0.0;
+    for (const Index t : m_triangles)
+    {
+      const Corners corners = cornersOf(m_mesh.triangles()[t], m_mesh.positions());
+      sum += facetArea(corners[0], corners[1], corners[2]);
+    }
+    return noError * sum * sum / static_cast<double>(m_triangles.size());
   }
 
   /** The integral of the triangles' squared distances to the surface, roughly. */
@@ -204,11 +218,15 @@ private:
 }
 
 Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, Index triangle,
-  int rings, RepairedMesh& mesh)
+  int rings, const RunControl& control, RepairedMesh& mesh)
 {
   Patch patch(problem, surface, triangle, rings, mesh);
-  const double error = patch.error();
-  for (int round = 0; round < mostRounds && patch.numberOfVertices() > 0; ++round)
+  if (patch.numberOfVertices() == 0)
+  {
+    return 0;
+  }
+  const double error = mostError * patch.error() + patch.negligibleError();
+  for (int round = 0; round < mostRounds && !control.cancelled(); ++round)
   {
     patch.look();
     for (int k = 0; k < sweeps; ++k)
@@ -218,7 +236,7 @@ Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, I
     if (patch.countFlipped() == 0)
     {
       const Offset moved = patch.comeBack();
-      if (patch.error() <= mostError * error)
+      if (patch.error() <= error)
       {
         return moved;
       }

@@ -14,16 +14,16 @@ namespace remesh
  * projected along the surface's normal is linear in each of its corners; vertex by vertex, again
  * and again, the squares of what the areas lack to a small positive value are minimised (untangling
  * as in Freitag and Plassmann, Local optimization-based simplicial mesh untangling and improvement,
- * 2000, with a smooth measure). Vertices move along the surface, and then back as far as
- * they can.
+ * 2000, with a smooth measure). Vertices move about along the surface, and then back as far as they
+ * can.
  *
  * @param rings how far around the triangle, from 1.
  * @return the number of vertices moved; 0, and nothing is changed, unless no triangle around is
- *         flipped after, and the surface is about as near.
+ *         flipped after, and the surface is about as near; or the run is cancelled.
  * Cost: some hundred searches for the surface's closest facet per ring.
  */
 Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, Index triangle,
-  int rings, RepairedMesh& mesh);
+  int rings, const RunControl& control, RepairedMesh& mesh);
 }
 
 #endif
