@@ -10,10 +10,33 @@ namespace
 {
 using namespace remesh;
 
+SurfaceMesh torus()
+{
+  return test::meshOf(test::torus(1.0, 0.3, 60, 25));
+}
+
+/** A part of a plane whose points are on it but for rounding. */
+SurfaceMesh tiltedPlane()
+{
+  TriangleSoup soup = test::gridPatch(40, 40);
+  const Point3 u = Point3(2.0, 1.0, -1.5).normalized();
+  const Point3 v = u.cross(Point3(0.3, 1.0, 0.2)).normalized();
+  for (Point3& point : soup.points)
+  {
+    point = point[0] * u + point[1] * v;
+  }
+  return test::meshOf(soup);
+}
+
 /** A mesh whose vertices a test may misplace. */
 struct Fixture
 {
-  SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.3, 60, 25));
+  explicit Fixture(const SurfaceMesh& surfaceMesh = torus())
+    : mesh(surfaceMesh)
+  {
+  }
+
+  SurfaceMesh mesh;
   EmbeddedSurface surface = test::gaussMapOf(mesh, 0.05);
   RemeshResult result = test::remeshed(mesh, 0.05, 300, VertexPlacement::Centroid);
   std::vector<char> fixed = std::vector<char>(result.placement.positions.size(), 0);
@@ -30,9 +53,9 @@ struct Fixture
 };
 
 /** Two neighbours that have changed places: neither can get back as long as the other stays. */
-void testSwapped()
+void testSwapped(const SurfaceMesh& surfaceMesh)
 {
-  Fixture fixture;
+  const Fixture fixture(surfaceMesh);
   const std::vector<Point3> sound = fixture.result.placement.positions;
   CHECK(fixture.flipped(sound).empty());
   int mended = 0;
@@ -99,7 +122,8 @@ void testFlat()
 
 int TestUntangling(int, char*[])
 {
-  testSwapped();
+  testSwapped(torus());
+  testSwapped(tiltedPlane());
   testFixed();
   testFlat();
   return test::result();
