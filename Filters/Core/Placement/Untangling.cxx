@@ -89,13 +89,8 @@ public:
   /** An integral of squared distances that is as good as none. */
   double negligibleError() const
   {
-    double sum = 0.0;
-    for (const Index t : m_triangles)
-    {
-      const Corners corners = cornersOf(m_mesh.triangles()[t], m_mesh.positions());
-      sum += facetArea(corners[0], corners[1], corners[2]);
-    }
-    return noError * sum * sum / static_cast<double>(m_triangles.size());
+    const double area = this->area();
+    return noError * area * area / static_cast<double>(m_triangles.size());
   }
 
   /** The integral of the triangles' squared distances to the surface, roughly. */
@@ -113,7 +108,10 @@ public:
     return sum;
   }
 
-  /** The surface's normals where the triangles are now, and the area that each should have. */
+  /**
+   * Brings the vertices back as far off the surface as they were, and looks up its normals where
+   * the triangles are now, and the area that each should have.
+   */
   void look()
   {
     for (std::size_t k = 0; k < m_vertices.size(); ++k)
@@ -121,15 +119,12 @@ public:
       m_mesh.positions()[m_vertices[k]] = this->along(k, m_mesh.positions()[m_vertices[k]]);
     }
     m_normals.clear();
-    double sum = 0.0;
     for (const Index t : m_triangles)
     {
       const Triple& triangle = m_mesh.triangles()[t];
-      const Corners corners = cornersOf(triangle, m_mesh.positions());
-      m_normals.push_back(m_surface.normalNear(triangle, corners));
-      sum += facetArea(corners[0], corners[1], corners[2]);
+      m_normals.push_back(m_surface.normalNear(triangle, cornersOf(triangle, m_mesh.positions())));
     }
-    m_wanted = leastArea * sum / static_cast<double>(m_triangles.size());
+    m_wanted = leastArea * this->area() / static_cast<double>(m_triangles.size());
   }
 
   /** Moves each vertex back as far as nothing around it flips; tells how many stay away. */
@@ -158,6 +153,7 @@ public:
     return moved;
   }
 
+  /** One step of each vertex, in their order. */
   void sweep()
   {
     for (std::size_t k = 0; k < m_vertices.size(); ++k)
@@ -167,6 +163,17 @@ public:
   }
 
 private:
+  double area() const
+  {
+    double sum = 0.0;
+    for (const Index t : m_triangles)
+    {
+      const Corners corners = cornersOf(m_mesh.triangles()[t], m_mesh.positions());
+      sum += facetArea(corners[0], corners[1], corners[2]);
+    }
+    return sum;
+  }
+
   /** The place as far off the surface as the vertex was at its start. */
   Point3 along(std::size_t index, const Point3& place) const
   {

@@ -20,7 +20,8 @@ namespace remesh
  * @param rings how far around the triangle, from 1.
  * @return the number of vertices moved; 0, and nothing is changed, unless no triangle around is
  *         flipped after, and the surface is about as near; or the run is cancelled.
- * Cost: some hundred searches for the surface's closest facet per ring.
+ * Cost: up to some thousand searches for the surface's closest facet, each among the pieces of a
+ * few cells.
  */
 Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, Index triangle,
   int rings, const RunControl& control, RepairedMesh& mesh);
