@@ -3,6 +3,7 @@
 
 #include "Embedding/Distance.h"
 #include "TestEmbeddings.h"
+#include "TestInstructionSets.h"
 #include "Voronoi/FacetDecomposition.h"
 #include "Voronoi/FacetIntegration.h"
 #include "Voronoi/Ownership.h"
@@ -16,22 +17,6 @@ using namespace remesh;
 
 namespace
 {
-std::vector<InstructionSet> availableSets()
-{
-  std::vector<InstructionSet> sets;
-  for (const InstructionSet set :
-    { InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512 })
-  {
-    if (isAvailable(set))
-    {
-      sets.push_back(set);
-    }
-  }
-  CHECK(isAvailable(InstructionSet::Baseline));
-  CHECK(sets.back() == widestInstructionSet());
-  return sets;
-}
-
 /** Sites as a facet sees them, and the same for the tracing. */
 std::vector<FacetSite> randomSites(int count, std::uint64_t seed, double steps)
 {
@@ -86,7 +71,7 @@ void testTracingSets()
     fill(*baseline, sites);
     const bool success = envelopeTracing(InstructionSet::Baseline)(*baseline);
     traced += success;
-    for (const InstructionSet set : availableSets())
+    for (const InstructionSet set : test::availableSets())
     {
       fill(*other, sites);
       different += envelopeTracing(set)(*other) != success;
@@ -115,7 +100,7 @@ void testEvaluationSets()
     const double limits[2][3] = { { 0.0, 0.1, -0.1 }, { 0.2, -0.3, 0.0 } };
     std::vector<double> expected;
     std::vector<std::uint8_t> expectedBits;
-    for (const InstructionSet set : availableSets())
+    for (const InstructionSet set : test::availableSets())
     {
       std::vector<double> values(3 * stride, 7.0);
       std::vector<std::uint8_t> chosen(stride / 8, 0);

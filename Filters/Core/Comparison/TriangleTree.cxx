@@ -4,6 +4,8 @@
 #include "Mesh/SpatialOrder.h"
 #include "Support/Grouping.h"
 
+#include <limits>
+
 namespace remesh
 {
 TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
@@ -45,46 +47,52 @@ TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
   {
     return;
   }
-  const auto leaves = static_cast<Index>((size + leafSize - 1) / leafSize);
-  m_boxes.resize(2 * static_cast<std::size_t>(leaves) - 1);
-  this->joinBoxes(0, 0, leaves);
-}
-
-TriangleTree::Box TriangleTree::joinBoxes(Index box, Index begin, Index end)
-{
-  Box& whole = m_boxes[box];
-  if (end - begin == 1)
+  Offset nodes = (size + leafSize - 1) / leafSize;
+  do
   {
-    whole = { m_corners[begin * leafSize][0], m_corners[begin * leafSize][0] };
-    const auto last = std::min<Index>(end * leafSize, static_cast<Index>(m_ids.size()));
-    for (Index slot = begin * leafSize; slot < last; ++slot)
+    nodes = (nodes + lanes - 1) / lanes;
+    m_levels.emplace_back(static_cast<std::size_t>(nodes));
+  } while (this->findBoxes(static_cast<int>(m_levels.size()) - 1, control.silent()) && nodes > 1);
+}
+
+bool TriangleTree::findBoxes(int level, const RunControl& control)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<BoxGroup>* const below = level > 0 ? &m_levels[level - 1] : nullptr;
+  const auto end = static_cast<Offset>(below ? below->size() : m_ids.size());
+  return forEachItem(static_cast<Offset>(m_levels[level].size()), control,
+    [&](Offset node)
     {
-      for (const Point3& corner : m_corners[slot])
+      BoxGroup& boxes = m_levels[level][node];
+      for (int child = 0; child < lanes; ++child)
       {
-        whole = { whole.lower.cwiseMin(corner), whole.upper.cwiseMax(corner) };
+        Point3 lower = Point3::Constant(infinity);
+        Point3 upper = -lower;
+        if (below && node * lanes + child < end)
+        {
+          const BoxGroup& own = (*below)[node * lanes + child];
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            lower[axis] = *std::min_element(own.lower[axis], own.lower[axis] + lanes);
+            upper[axis] = *std::max_element(own.upper[axis], own.upper[axis] + lanes);
+          }
+        }
+        const Offset first = below ? end : (node * lanes + child) * leafSize;
+        for (Offset slot = first; slot < std::min(first + leafSize, end); ++slot)
+        {
+          for (const Point3& corner : m_corners[slot])
+          {
+            lower = lower.cwiseMin(corner);
+            upper = upper.cwiseMax(corner);
+          }
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          boxes.lower[axis][child] = lower[axis];
+          boxes.upper[axis][child] = upper[axis];
+        }
       }
-    }
-    return whole;
-  }
-  const Index middle = begin + (end - begin) / 2;
-  const Box first = this->joinBoxes(box + 1, begin, middle);
-  const Box second = this->joinBoxes(box + 2 * (middle - begin), middle, end);
-  whole = { first.lower.cwiseMin(second.lower), first.upper.cwiseMax(second.upper) };
-  return whole;
-}
-
-TriangleTree::Node TriangleTree::root(const Point3& point) const
-{
-  return { 0, 0, static_cast<Index>((m_boxes.size() + 1) / 2), m_boxes[0].squaredDistance(point) };
-}
-
-void TriangleTree::children(const Node& node, const Point3& point, Node (&found)[2]) const
-{
-  const Index middle = node.begin + (node.end - node.begin) / 2;
-  const Index first = node.box + 1;
-  const Index second = node.box + 2 * (middle - node.begin);
-  found[0] = { first, node.begin, middle, m_boxes[first].squaredDistance(point) };
-  found[1] = { second, middle, node.end, m_boxes[second].squaredDistance(point) };
+    });
 }
 
 TriangleTree::Place TriangleTree::closestOn(Index slot, const Point3& point) const
@@ -96,42 +104,20 @@ TriangleTree::Place TriangleTree::closestOn(Index slot, const Point3& point) con
 TriangleTree::Place TriangleTree::closest(const Point3& point, Index hint) const
 {
   Place best;
-  if (this->empty())
-  {
-    return best;
-  }
-  if (hint != noIndex)
+  if (hint != noIndex && !this->empty())
   {
     best = this->closestOn(hint, point);
   }
-  Stack stack;
-  stack.push(this->root(point));
-  while (stack.size > 0)
-  {
-    const Node node = stack.pop();
-    if (!(node.squaredDistance < best.at.squared))
-    {
-      continue;
-    }
-    if (!node.isLeaf())
-    {
-      Node found[2];
-      this->children(node, point, found);
-      const int nearer = found[1].squaredDistance < found[0].squaredDistance ? 1 : 0;
-      stack.push(found[1 - nearer]);
-      stack.push(found[nearer]);
-      continue;
-    }
-    const auto end = std::min<Index>((node.begin + 1) * leafSize, static_cast<Index>(m_ids.size()));
-    for (Index slot = node.begin * leafSize; slot < end; ++slot)
+  this->visitLeaves(
+    point, [&](double squared) { return squared < best.at.squared; },
+    [&](Index slot)
     {
       const Place place = this->closestOn(slot, point);
       if (place.at.squared < best.at.squared)
       {
         best = place;
       }
-    }
-  }
+    });
   return best;
 }
 }

@@ -2,13 +2,14 @@
  * @file TriangleTree.h
  * @brief The closest point of a whole surface to a point of R^3.
  *
- * A tree of bounding boxes over the triangles in the order of a Hilbert curve. Not a locator of
- * VTK's: those sort with the back-end at hand, and which of two triangles that share the closest
- * point they find then depends on it.
+ * A tree of bounding boxes, eight to a node, over the triangles in the order of a Hilbert curve.
+ * Not a locator of VTK's: those sort with the back-end at hand, and which of two triangles that
+ * share the closest point they find then depends on it.
  */
 #ifndef remesh_TriangleTree_h
 #define remesh_TriangleTree_h
 
+#include "Comparison/BoxDistances.h"
 #include "Mesh/ClosestPoint.h"
 #include "Support/RunControl.h"
 #include "Support/Types.h"
@@ -47,8 +48,7 @@ public:
    * finite, and within `largestCoordinate` (Mesh/Intake.h).
    *
    * @param control asked for cancellation; the tree of a cancelled run is of no use.
-   * Cost: O(T), in parallel but for the boxes' joining. About 100 bytes per triangle. The tree
-   * holds all it needs.
+   * Cost: O(T), in parallel. About 100 bytes per triangle. The tree holds all it needs.
    */
   explicit TriangleTree(const Triangles& surface, const RunControl& control = RunControl());
 
@@ -79,84 +79,93 @@ public:
   }
 
 private:
-  static constexpr Index leafSize = 4;
+  static constexpr Index leafSize = 2;
+  static constexpr int mostLevels = 11; ///< more than any number of leaves needs
 
-  struct Box
+  /** A node or a leaf that is still to be looked into. */
+  struct Pending
   {
-    Point3 lower;
-    Point3 upper;
-
-    double squaredDistance(const Point3& point) const
-    {
-      return (this->lower - point).cwiseMax(point - this->upper).cwiseMax(0.0).squaredNorm();
-    }
+    double squared; ///< distance of its box
+    Index id;       ///< on its level
+    int level;      ///< -1: a leaf
   };
 
-  /** A node over the leaves [begin, end): its children follow it, first the one over [begin,
-   * middle). */
-  struct Node
-  {
-    Index box;
-    Index begin;
-    Index end;
-    double squaredDistance;
+  bool findBoxes(int level, const RunControl& control);
 
-    bool isLeaf() const { return this->end - this->begin == 1; }
-  };
-
-  Box joinBoxes(Index box, Index begin, Index end);
-  void children(const Node& node, const Point3& point, Node (&found)[2]) const;
-  Node root(const Point3& point) const;
-
-  /** Deep enough for any tree: one node waits on each level. */
-  struct Stack
-  {
-    Node nodes[64];
-    int size = 0;
-
-    void push(const Node& node) { this->nodes[this->size++] = node; }
-    Node pop() { return this->nodes[--this->size]; }
-  };
+  /**
+   * Calls `visit(slot)` for the triangles of all leaves that are in reach: `reaches` tells that of
+   * the squared distance of a box, and may get stricter on the way. The nearest first, as a rule.
+   */
+  template <class Reaches, class Visit>
+  void visitLeaves(const Point3& point, const Reaches& reaches, const Visit& visit) const;
 
   std::vector<Index> m_ids;                     ///< S, the caller's triangles
   std::vector<std::array<Point3, 3>> m_corners; ///< S
-  std::vector<Box> m_boxes;                     ///< of the nodes, depth first
+  /** Of each level, the boxes of its nodes' children: of leaves on the first, one node on the last.
+   */
+  std::vector<std::vector<BoxGroup>> m_levels;
+  BoxDistanceEvaluation m_distances = boxDistanceEvaluation(widestInstructionSet());
 };
 
-template <class Visit>
-void TriangleTree::visitWithin(const Point3& point, double squaredRadius, const Visit& visit) const
+template <class Reaches, class Visit>
+void TriangleTree::visitLeaves(
+  const Point3& point, const Reaches& reaches, const Visit& visit) const
 {
   if (this->empty())
   {
     return;
   }
-  Stack stack;
-  stack.push(this->root(point));
-  while (stack.size > 0)
+  Pending pending[(lanes - 1) * mostLevels + 1];
+  int size = 0;
+  pending[size++] = { 0.0, 0, static_cast<int>(m_levels.size()) - 1 };
+  while (size > 0)
   {
-    const Node node = stack.pop();
-    if (node.squaredDistance > squaredRadius)
+    const Pending node = pending[--size];
+    if (!reaches(node.squared))
     {
       continue;
     }
-    if (!node.isLeaf())
+    if (node.level < 0)
     {
-      Node found[2];
-      this->children(node, point, found);
-      stack.push(found[1]);
-      stack.push(found[0]);
+      const Index begin = node.id * leafSize;
+      const auto end = std::min<Index>(begin + leafSize, static_cast<Index>(m_ids.size()));
+      for (Index slot = begin; slot < end; ++slot)
+      {
+        visit(slot);
+      }
       continue;
     }
-    const auto end = std::min<Index>((node.begin + 1) * leafSize, static_cast<Index>(m_ids.size()));
-    for (Index slot = node.begin * leafSize; slot < end; ++slot)
+    double squared[lanes];
+    m_distances({ m_levels[node.level][node.id], point.data(), squared });
+    const int bottom = size;
+    for (int k = 0; k < lanes; ++k)
+    {
+      if (reaches(squared[k]))
+      {
+        int at = size++;
+        for (; at > bottom && pending[at - 1].squared < squared[k]; --at)
+        {
+          pending[at] = pending[at - 1];
+        }
+        pending[at] = { squared[k], node.id * lanes + k, node.level - 1 };
+      }
+    }
+  }
+}
+
+template <class Visit>
+void TriangleTree::visitWithin(const Point3& point, double squaredRadius, const Visit& visit) const
+{
+  this->visitLeaves(
+    point, [=](double squared) { return squared <= squaredRadius; },
+    [&](Index slot)
     {
       const Place place = this->closestOn(slot, point);
       if (place.at.squared <= squaredRadius)
       {
         visit(place);
       }
-    }
-  }
+    });
 }
 }
 

@@ -6,6 +6,7 @@
 #define remesh_StarFeet_h
 
 #include "Placement/PlacementProblem.h"
+#include "Placement/StarHeights.h"
 
 namespace remesh
 {
@@ -38,24 +39,22 @@ public:
    * The foot of a point on the triangles that face as `normal` does. Where the point lies right
    * above some of them, the nearest of these; else the closest point of all. O(triangles).
    */
-  Foot find(const Point3& point, const Point3& normal) const;
+  Foot find(const Point3& point, const Point3& normal);
 
 private:
-  struct Prepared
-  {
-    Index triangle;
-    Point3 corner;
-    Point3 first, second; ///< whose products with a way from the corner are barycentric
-    Point3 normal;        ///< unit
-  };
-
+  Foot footOn(std::size_t triangle, const Point3& way) const;
   Foot findClosest(const Point3& point, const Point3& normal) const;
 
   const PlacementProblem& m_problem;
   const VertexStars& m_stars;
   const std::vector<Point3>& m_positions;
   const std::vector<Point3>& m_normals; ///< T, unit, zero without area
-  std::vector<Prepared> m_star;
+
+  Index m_center = noIndex;
+  std::vector<Index> m_triangles;  ///< with area
+  std::vector<StarGroup> m_groups; ///< the same, but those too narrow to lie above
+  std::vector<double> m_squared;   ///< what a search writes
+  StarHeightEvaluation m_evaluate = starHeightEvaluation(widestInstructionSet());
 };
 }
 

@@ -1,0 +1,42 @@
+#include "Comparison/BoxDistances.h"
+
+namespace remesh
+{
+namespace
+{
+struct Evaluation
+{
+  [[gnu::always_inline]] static inline void addPositive(const Lanes& outside, Lanes& sum)
+  {
+    LaneBits negative;
+    LaneBits bits;
+    Lanes positive;
+    findNegative(outside, negative);
+    std::memcpy(&bits, &outside, sizeof outside);
+    bits &= ~negative;
+    std::memcpy(&positive, &bits, sizeof bits);
+    sum += positive * positive;
+  }
+
+  [[gnu::always_inline]] static inline void run(const BoxDistances& task)
+  {
+    Lanes sum{};
+    Lanes bound;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x = task.point[axis];
+      load(task.boxes.lower[axis], bound);
+      addPositive(bound - x, sum);
+      load(task.boxes.upper[axis], bound);
+      addPositive(x - bound, sum); // of the two, one at most is above 0
+    }
+    store(sum, task.squared);
+  }
+};
+}
+
+BoxDistanceEvaluation boxDistanceEvaluation(InstructionSet set)
+{
+  return CompiledFor<Evaluation, const BoxDistances&>::select(set);
+}
+}

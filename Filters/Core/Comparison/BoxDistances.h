@@ -1,0 +1,34 @@
+/**
+ * @file BoxDistances.h
+ * @brief How far a point is from several boxes at once.
+ */
+#ifndef remesh_BoxDistances_h
+#define remesh_BoxDistances_h
+
+#include "Support/InstructionSet.h"
+#include "Support/Lanes.h"
+
+namespace remesh
+{
+/** Boxes along the axes of R^3, side by side; one without a point has infinite distance. */
+struct BoxGroup
+{
+  double lower[3][lanes];
+  double upper[3][lanes];
+};
+
+/** Writes the squared distances of a point (3 coordinates) to all boxes of a group. */
+struct BoxDistances
+{
+  const BoxGroup& boxes;
+  const double* point;
+  double* squared; ///< `lanes` numbers
+};
+
+using BoxDistanceEvaluation = void (*)(const BoxDistances&);
+
+/** Compiled for a set of instructions; all give the same bits. */
+BoxDistanceEvaluation boxDistanceEvaluation(InstructionSet set);
+}
+
+#endif

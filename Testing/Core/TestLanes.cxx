@@ -1,0 +1,124 @@
+// Eight boxes and eight triangles at once: the same bits for all sets of instructions, and the
+// numbers of the plain formulas.
+
+#include "Comparison/BoxDistances.h"
+#include "Placement/StarHeights.h"
+#include "Support/Random.h"
+#include "TestInstructionSets.h"
+#include "TestSupport.h"
+
+#include <cmath>
+
+using namespace remesh;
+
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Point3 randomPoint(std::uint64_t seed, std::uint64_t index)
+{
+  return { uniform01(seed, index, 0) - 0.5, uniform01(seed, index, 1) - 0.5,
+    uniform01(seed, index, 2) - 0.5 };
+}
+
+void testBoxes()
+{
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+  {
+    BoxGroup boxes;
+    double expected[lanes];
+    const Point3 point = 2.0 * randomPoint(seed, 99);
+    for (int box = 0; box < lanes; ++box)
+    {
+      const Point3 a = randomPoint(seed, 2 * box);
+      const Point3 b = randomPoint(seed, 2 * box + 1);
+      const bool empty = box == static_cast<int>(seed % 9);
+      const Point3 lower = empty ? Point3(Point3::Constant(infinity)) : Point3(a.cwiseMin(b));
+      const Point3 upper = empty ? Point3(-lower) : Point3(a.cwiseMax(b));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        boxes.lower[axis][box] = lower[axis];
+        boxes.upper[axis][box] = upper[axis];
+      }
+      expected[box] = (lower - point).cwiseMax(point - upper).cwiseMax(0.0).squaredNorm();
+    }
+    double baseline[lanes];
+    boxDistanceEvaluation(InstructionSet::Baseline)({ boxes, point.data(), baseline });
+    for (int box = 0; box < lanes; ++box)
+    {
+      CHECK(baseline[box] == expected[box] || std::abs(baseline[box] - expected[box]) < 1e-15);
+    }
+    for (const InstructionSet set : test::availableSets())
+    {
+      double squared[lanes];
+      boxDistanceEvaluation(set)({ boxes, point.data(), squared });
+      CHECK(std::equal(baseline, baseline + lanes, squared));
+    }
+  }
+}
+
+struct Star
+{
+  std::vector<StarGroup> groups;
+  std::vector<Point3> first, second, normal;
+
+  Star(std::uint64_t seed, std::size_t triangles)
+    : groups((triangles + lanes - 1) / lanes)
+  {
+    for (std::size_t t = 0; t < triangles; ++t)
+    {
+      this->first.push_back(4.0 * randomPoint(seed, 3 * t));
+      this->second.push_back(4.0 * randomPoint(seed, 3 * t + 1));
+      this->normal.push_back(randomPoint(seed, 3 * t + 2).normalized());
+      for (int k = 0; k < 3; ++k)
+      {
+        this->groups[t / lanes].first[k][t % lanes] = this->first[t][k];
+        this->groups[t / lanes].second[k][t % lanes] = this->second[t][k];
+        this->groups[t / lanes].normal[k][t % lanes] = this->normal[t][k];
+      }
+    }
+  }
+};
+
+void testStars()
+{
+  int above = 0;
+  for (std::uint64_t seed = 0; seed < 500; ++seed)
+  {
+    const Star star(seed, 1 + seed % 19);
+    const Point3 way = randomPoint(seed, 98);
+    const Point3 facing = randomPoint(seed, 99);
+    std::vector<double> baseline(star.groups.size() * lanes);
+    starHeightEvaluation(InstructionSet::Baseline)(
+      { star.groups, way.data(), facing.data(), baseline.data() });
+    for (std::size_t t = 0; t < baseline.size(); ++t)
+    {
+      if (t >= star.first.size())
+      {
+        CHECK_EQUAL(baseline[t], infinity);
+        continue;
+      }
+      const double u = star.first[t].dot(way);
+      const double v = star.second[t].dot(way);
+      const bool isAbove = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && star.normal[t].dot(facing) > 0.0;
+      above += isAbove;
+      const double height = star.normal[t].dot(way);
+      CHECK(isAbove ? std::abs(baseline[t] - height * height) < 1e-15 : baseline[t] == infinity);
+    }
+    for (const InstructionSet set : test::availableSets())
+    {
+      std::vector<double> squared(baseline.size());
+      starHeightEvaluation(set)({ star.groups, way.data(), facing.data(), squared.data() });
+      CHECK(squared == baseline);
+    }
+  }
+  CHECK(above > 200);
+}
+}
+
+int TestLanes(int, char*[])
+{
+  testBoxes();
+  testStars();
+  return test::result();
+}
