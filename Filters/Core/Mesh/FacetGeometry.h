@@ -12,6 +12,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
+
 namespace remesh
 {
 /** The two shorter edges, from their common corner, in the triangle's sense of rotation. */
@@ -56,7 +59,15 @@ inline double facetArea(const Point3& a, const Point3& b, const Point3& c)
 inline Point3 facetNormal(const Point3& a, const Point3& b, const Point3& c)
 {
   const ShortEdges edges = shortEdges(a, b, c);
-  return edges.first.stableNormalized().cross(edges.second.stableNormalized()).stableNormalized();
+  const double first = edges.first.cwiseAbs().maxCoeff();
+  const double second = edges.second.cwiseAbs().maxCoeff();
+  if (!(std::min(first, second) > 0.0))
+  {
+    return Point3::Zero();
+  }
+  const Point3 normal = (edges.first / first).cross(edges.second / second);
+  const double squared = normal.squaredNorm(); // of the sine of an angle, so never too small
+  return squared > 0.0 ? Point3(normal / std::sqrt(squared)) : Point3(Point3::Zero());
 }
 
 /**

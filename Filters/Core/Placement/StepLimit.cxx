@@ -57,6 +57,7 @@ bool limitSteps(const PlacementProblem& problem, const VertexStars& stars,
   const Blocks vertices = Blocks::cut(problem.numberOfVertices(), 64, 4096);
   std::vector<char> spoilt(problem.triangles.size(), 0);
   std::vector<char> levels(goals.size(), 0);
+  std::vector<char> changed(goals.size(), 1); // since the triangles were judged
   for (;;)
   {
     const bool judged = forEachRange(triangles, silent,
@@ -64,8 +65,10 @@ bool limitSteps(const PlacementProblem& problem, const VertexStars& stars,
       {
         for (Offset t = begin; t < end; ++t)
         {
-          spoilt[t] =
-            isSpoilt(problem.triangles[t], reference, reference.normals[t], before, goals);
+          const Triple& triangle = problem.triangles[t];
+          spoilt[t] = std::any_of(triangle.begin(), triangle.end(),
+                        [&](Index v) { return changed[v] != 0; }) &&
+            isSpoilt(triangle, reference, reference.normals[t], before, goals);
         }
       });
     if (!judged)
@@ -83,7 +86,8 @@ bool limitSteps(const PlacementProblem& problem, const VertexStars& stars,
         {
           const bool falls = std::any_of(stars.triangles.begin() + stars.begin(v),
             stars.triangles.begin() + stars.end(v), [&](Index t) { return spoilt[t] != 0; });
-          if (falls && levels[v] < lastLevel)
+          changed[v] = falls && levels[v] < lastLevel;
+          if (changed[v])
           {
             ++levels[v];
             const double way = levels[v] < lastLevel ? std::ldexp(1.0, -levels[v]) : 0.0;
