@@ -299,7 +299,9 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       }
       if (status.ok() && this->MeasureDistance)
       {
+        const Clock::time_point measuring = Clock::now();
         status = remesh::findDistance(prepared.mesh, control.silent(), result);
+        facts.Seconds["distance"] = secondsSince(measuring);
       }
       return status.ok() ? write() : status;
     });

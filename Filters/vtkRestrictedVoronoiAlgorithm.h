@@ -189,8 +189,8 @@ public:
   /**
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
    * "sampling", "lloyd", "newton", "repair" (of the mesh's topology),
-   * "placement" (of the mesh's points), "diagram" (diagram, dual and output arrays). 0 for other
-   * names.
+   * "placement" (of the mesh's points), "distance" (of mesh and surface), "diagram" (diagram, dual
+   * and output arrays). 0 for other names.
    */
   double GetPhaseSeconds(const char* phase) const;
 

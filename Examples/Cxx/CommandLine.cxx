@@ -218,6 +218,9 @@ std::vector<Option> MakeTable()
       "Where the points are put: centroid or quadric of their cells, surface (the closest point), "
       "or fit (default): where all triangles together are closest to the surface.",
       Choice("--placement", &Options::Placement, { "centroid", "surface", "quadric", "fit" }) },
+    { "--no-distance", "",
+      "Do not measure how far mesh and surface are from each other, which the report tells else.",
+      Flag(&Options::MeasureDistance, false) },
     { "--cells", "F.vtp", "Write the restricted Voronoi cells.", Text("--cells", &Options::Cells) },
     { "--sites", "F.vtp", "Write the sites.", Text("--sites", &Options::Sites) },
     { "--edges", "F.vtp", "Write the borders between the cells and of the surface.",

@@ -40,6 +40,7 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.Add("seed", options.Seed);
   json.Add("sampling", options.Sampling);
   json.Add("placement", options.Placement);
+  json.Add("measure_distance", options.MeasureDistance);
   json.Add("threads", options.Threads);
   json.Add("backend", options.Backend);
   json.Add("dimension", options.Dimension);
@@ -101,7 +102,7 @@ void AddSeconds(JsonWriter& json, vtkAnisotropicRemesher* remesher, const Second
   json.BeginObject("seconds");
   json.Add("read", seconds.Read);
   for (const char* phase :
-    { "intake", "sampling", "lloyd", "newton", "diagram", "repair", "placement" })
+    { "intake", "sampling", "lloyd", "newton", "diagram", "repair", "placement", "distance" })
   {
     json.Add(phase, remesher->GetPhaseSeconds(phase));
   }

@@ -32,16 +32,30 @@ Case evaluationCase(const char* name, bool finest, double points)
     } };
 }
 
-Case runCase(const char* name, bool finest, double points)
+Case programCase(const std::string& name, const char* description, bool finest, double points,
+  const std::vector<std::string>& options)
 {
-  return { std::string("run-") + name, "the command line, from file to file",
+  return { name, description,
     [=](Workshop& workshop, CaseResult& result)
     {
       const Surface& surface = chosen(workshop, finest);
       Measurement one = described(surface, workshop.shrunk(points), workshop.settings());
-      one.figures = programRun(surface, one.points, workshop.settings());
+      one.figures = programRun(surface, one.points, options, workshop.settings());
       result.measurements.push_back(one);
     } };
+}
+
+Case runCase(const char* name, bool finest, double points)
+{
+  return programCase(
+    std::string("run-") + name, "the command line, from file to file", finest, points, {});
+}
+
+Case plainCase(const char* name, bool finest, double points)
+{
+  return programCase(std::string("plain-") + name,
+    "the same without features, fit and distances: optimisation and dual alone", finest, points,
+    { "--no-features", "--placement", "centroid", "--no-distance" });
 }
 
 void measureEnergy(Workshop& workshop, CaseResult& result)
@@ -98,6 +112,9 @@ const std::vector<Case>& allCases()
     evaluationCase("1.4M-10k", true, 1e4),
     evaluationCase("1.4M-100k", true, 1e5),
     evaluationCase("1.4M-1M", true, 1e6),
+    plainCase("86k-10k", false, 1e4),
+    plainCase("86k-100k", false, 1e5),
+    plainCase("1.4M-1M", true, 1e6),
     runCase("86k-10k", false, 1e4),
     runCase("86k-100k", false, 1e5),
     runCase("1.4M-1M", true, 1e6),

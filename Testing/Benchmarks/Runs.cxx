@@ -199,7 +199,8 @@ Figures wideRun(const WideRun& wide, const Settings& settings)
   return figures;
 }
 
-Figures programRun(const Surface& surface, Offset points, const Settings& settings)
+Figures programRun(const Surface& surface, Offset points, const std::vector<std::string>& options,
+  const Settings& settings)
 {
   const ScratchFolder folder;
   std::string input = surface.file;
@@ -208,10 +209,11 @@ Figures programRun(const Surface& surface, Offset points, const Settings& settin
     input = folder.file("surface.ply");
     writePly(surface.data, input);
   }
-  const std::vector<std::string> command = { settings.program, input, folder.file("mesh.vtp"),
-    "--points", std::to_string(points), "--anisotropy", std::to_string(anisotropy), "--lloyd",
+  std::vector<std::string> command = { settings.program, input, folder.file("mesh.vtp"), "--points",
+    std::to_string(points), "--anisotropy", std::to_string(anisotropy), "--lloyd",
     std::to_string(settings.lloydIterations), "--newton", std::to_string(settings.newtonIterations),
     "--threads", std::to_string(settings.threads), "--quiet" };
+  command.insert(command.end(), options.begin(), options.end());
   return repeated(settings,
     [&]()
     {

@@ -20,8 +20,13 @@ Figures evaluation(const EmbeddedSurface& surface, Offset points, const Settings
 /** The filter, from polygons to polygons: `processor`, `wall`. */
 Figures filterRun(vtkPolyData* surface, Offset points, const Settings& settings);
 
-/** The command line, from file to file: `processor`, `wall`, `memory` (peak). */
-Figures programRun(const Surface& surface, Offset points, const Settings& settings);
+/**
+ * The command line, from file to file: `processor`, `wall`, `memory` (peak).
+ *
+ * @param options of the command line, beyond those that the settings name.
+ */
+Figures programRun(const Surface& surface, Offset points, const std::vector<std::string>& options,
+  const Settings& settings);
 
 /**
  * The filter in many dimensions, in a process of its own: `processor` and `wall`, with the making

@@ -58,7 +58,7 @@ def check_measurement(case, one):
             total = figures[clock]["value"]
             parts = sum(figures[f"{phase}_{clock}"]["value"] for phase in PHASES)
             check(total > 0.0 and abs(parts - total) <= 1e-6 * total + 1e-9, *where, parts, total)
-    if case["name"].startswith("run-"):
+    if case["name"].startswith(("plain-", "run-")):
         check(figures["wall"]["value"] > 0.0 and figures["processor"]["value"] > 0.0, *where)
         check(5.0 < figures["memory"]["value"] < 1000.0, *where, figures["memory"])
     if case["name"].startswith("wide-"):

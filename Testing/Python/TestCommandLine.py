@@ -187,7 +187,7 @@ class TestResults(CommandLineTest):
                          [{"name": "Height", "scale": 0.5}, {"name": "Six", "scale": 2}])
         seconds = report["seconds"]
         self.assertLessEqual({"read", "intake", "sampling", "lloyd", "newton", "repair", "diagram",
-                              "placement", "write", "total"}, set(seconds))
+                              "placement", "distance", "write", "total"}, set(seconds))
         parts = sum(value for key, value in seconds.items() if key != "total")
         self.assertLessEqual(parts, seconds["total"])
         self.assertGreater(min(report["processor_seconds"], report["peak_megabytes"]), 0)
@@ -208,6 +208,14 @@ class TestResults(CommandLineTest):
         self.assertFalse(first == outputs("other", "--seed", "1"))
         self.assertFalse(first == outputs("random", "--sampling", "random"))
         self.assertTrue(first == outputs("fit", "--placement", "fit"))
+
+    def test_no_distance(self):
+        self.succeed(self.input(), "out.vtp", *SMALL, "--no-distance", "--report", "r.json")
+        with open(self.path("r.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        self.assertFalse({"rms_distance", "maximum_distance"} & set(report["output"]))
+        self.assertEqual(report["seconds"]["distance"], 0)
+        self.assertFalse(report["parameters"]["measure_distance"])
 
     def test_placement(self):
         # On the sphere of radius 0.5 all placements tell themselves apart by the mean radius.
