@@ -25,9 +25,9 @@ constexpr Offset blocksPerGroup = 64;
  * The springs' stiffness, as shares of a vertex's own weight: in proportion to what the surface
  * says about moves along it, which on smooth surfaces is little, and on scans much noise.
  */
-constexpr double stiffnessPerVariation = 0.018;
+constexpr double stiffnessPerVariation = 0.022;
 constexpr double leastStiffness = 3e-6;
-constexpr double mostStiffness = 1e-3;
+constexpr double mostStiffness = 3e-3;
 constexpr double dampingShare = 0.3; // of the stiffness
 
 /** What the samples of one block add to one triangle. */

@@ -12,7 +12,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int fitRounds = 8;
+constexpr int fitRounds = 10;
 
 /** Centroids but at the fixed vertices that have places already. */
 std::vector<Point3> startingPlaces(

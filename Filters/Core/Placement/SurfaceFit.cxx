@@ -9,7 +9,8 @@ namespace
 {
 // With fewer, the triangles come closer to the samples than to what is between.
 constexpr int samplesPerVertex = 36;
-constexpr int coarseSamples = 16; // in the first half of the rounds
+constexpr int coarseSamples = 16; // in all but the last rounds
+constexpr int fineRounds = 4;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
 }
 
@@ -21,7 +22,7 @@ Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, i
   FitSystem system = makeFitSystem(problem, edges);
   for (int round = 0; round < rounds; ++round)
   {
-    const int samples = 2 * round < rounds ? coarseSamples : samplesPerVertex;
+    const int samples = round + fineRounds < rounds ? coarseSamples : samplesPerVertex;
     if (!assembleFit(problem, stars, edges, positions, shapes, samples, control, system))
     {
       return Status::cancelled();
