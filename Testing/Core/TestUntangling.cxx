@@ -2,8 +2,10 @@
 #include "Placement/FlipRepair.h"
 #include "Placement/TriangleShape.h"
 #include "Placement/Untangling.h"
+#include "Support/Random.h"
 #include "TestPlacements.h"
 
+#include <set>
 #include <utility>
 
 namespace
@@ -80,6 +82,60 @@ void testSwapped(const SurfaceMesh& surfaceMesh)
   CHECK(mended >= 18); // of 20
 }
 
+/** Edges that were turned on the way, and need not be any more, are those of the dual again. */
+void testTurnedBack()
+{
+  Fixture fixture;
+  const std::vector<Triple>& dual = fixture.result.dual.triangles;
+  const std::vector<Point3>& sound = fixture.result.placement.positions;
+  std::set<std::pair<Index, Index>> edges;
+  for (const Triple& triangle : dual)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(std::minmax(triangle[k], triangle[(k + 1) % 3]));
+    }
+  }
+  const double spacing = std::sqrt(test::surfaceArea(fixture.mesh) / 300.0);
+  Offset turned = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    // Some of the misplaced vertices must stay: only turned edges are of use there.
+    std::vector<Triple> triangles = dual;
+    std::vector<Point3> positions = sound;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+    {
+      fixture.fixed[v] = uniform01(seed, v, 0) < 0.3 ? 1 : 0;
+      for (int k = 0; k < 3; ++k)
+      {
+        positions[v][k] += 1.6 * spacing * (uniform01(seed, v, k + 1) - 0.5);
+      }
+    }
+    FlipRepair repair;
+    CHECK(repairFlips(fixture.problem, fixture.near, sound, sound, FlipSteps::MoveAndTurn,
+      RunControl(), triangles, positions, repair)
+            .ok());
+    RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+    {
+      const Triple triangle = triangles[t];
+      for (int k = 0; k < 3; ++k)
+      {
+        if (edges.count(std::minmax(triangle[(k + 1) % 3], triangle[(k + 2) % 3])) > 0)
+        {
+          continue;
+        }
+        ++turned;
+        RepairedMesh::Turn turn;
+        CHECK(!(mesh.canTurn(static_cast<Index>(t), k, turn) &&
+          edges.count(std::minmax(turn.fresh[0][0], turn.fresh[0][2])) > 0 &&
+          !mesh.isFlipped(turn.fresh[0]) && !mesh.isFlipped(turn.fresh[1])));
+      }
+    }
+  }
+  CHECK(turned > 20); // some are needed
+}
+
 /** Fixed vertices stay; without any other, nothing happens. */
 void testFixed()
 {
@@ -124,6 +180,7 @@ int TestUntangling(int, char*[])
 {
   testSwapped(torus());
   testSwapped(tiltedPlane());
+  testTurnedBack();
   testFixed();
   testFlat();
   return test::result();
