@@ -170,7 +170,7 @@ public:
 
   ///@{
   /**
-   * Pairs of vectors that the quasi-Newton method keeps, 1 to 100, default 7: each takes 8 bytes
+   * Pairs of vectors that the quasi-Newton method keeps, 1 to 100, default 7: each takes 4 bytes
    * per site and dimension. From 64 dimensions on, where a pair is more than 16 MB, no more than 3
    * or what fits into a twelfth of the embedding's own memory are kept.
    */

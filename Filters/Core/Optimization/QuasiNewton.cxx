@@ -3,6 +3,7 @@
 #include "Optimization/BlockedVectors.h"
 #include "Optimization/EmptyCells.h"
 #include "Optimization/FixedSites.h"
+#include "Support/Bfloat16.h"
 
 #include <algorithm>
 #include <deque>
@@ -17,8 +18,8 @@ constexpr int mostTrials = 12;
 /** One pair of the history. */
 struct Correction
 {
-  std::vector<float> step;
-  std::vector<float> change; ///< of the gradient
+  std::vector<Bfloat16> step;
+  std::vector<Bfloat16> change; ///< of the gradient
   double product = 0.0;      ///< step . change > 0
 };
 
@@ -53,8 +54,8 @@ public:
     m_vectors.forEach(
       [&](std::size_t k)
       {
-        pair.step[k] = static_cast<float>(length * direction[k]);
-        pair.change[k] = static_cast<float>(2.0 * (momentBefore[k] - momentAfter[k]));
+        pair.step[k] = Bfloat16(static_cast<float>(length * direction[k]));
+        pair.change[k] = Bfloat16(static_cast<float>(2.0 * (momentBefore[k] - momentAfter[k])));
       });
     pair.product = m_vectors.sum([&](std::size_t k)
       { return static_cast<double>(pair.step[k]) * static_cast<double>(pair.change[k]); });
@@ -187,7 +188,7 @@ int historyWithin(const EmbeddedSurface& surface, Offset numberOfSites, int want
   constexpr double largePair = 0x1p24; // bytes
   constexpr double share = 1.0 / 12.0;
   const double d = surface.dimension;
-  const double pair = 2.0 * sizeof(float) * static_cast<double>(numberOfSites) * d;
+  const double pair = 2.0 * sizeof(Bfloat16) * static_cast<double>(numberOfSites) * d;
   if (surface.dimension < manyDimensions || pair <= largePair)
   {
     return wanted;
