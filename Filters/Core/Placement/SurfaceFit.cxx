@@ -8,8 +8,8 @@ namespace remesh
 namespace
 {
 // With fewer, the triangles come closer to the samples than to what is between.
-constexpr int samplesPerVertex = 36;
-constexpr int coarseSamples = 16; // in all but the last rounds
+constexpr int samplesPerVertex = 40;
+constexpr int coarseSamples = 18; // in all but the last rounds
 constexpr int fineRounds = 4;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
 }

@@ -98,9 +98,10 @@ void forEachSample(
     }
     double surplus = carried - area; // of the pieces before; goes to the first part
     carried = 0.0;
+    PiecePlaces vertices(places, piece);
     const auto place = [&](Offset v)
     {
-      const std::array<double, 3> b = places.at(piece, v);
+      const std::array<double, 3> b = vertices.at(v);
       return Point3(b[0] * *corners[0] + b[1] * *corners[1] + b[2] * *corners[2]);
     };
     const Offset begin = diagram.vertexBegin[piece];
@@ -111,7 +112,7 @@ void forEachSample(
       const Point3 third = place(v + 1);
       const double share = facetArea(first, second, third);
       const int parts =
-        std::clamp(static_cast<int>(std::ceil(std::sqrt(share / measure))), 1, samples);
+        std::clamp(static_cast<int>(std::lround(std::sqrt(share / measure))), 1, samples);
       visitParts(first, second, third, share, parts,
         [&](const Point3& point, double weight)
         {

@@ -102,41 +102,65 @@ void placeInside(const FacetSite& i, const FacetSite& j, const FacetSite& m, dou
   }
 }
 
-FacetSite VertexPlaces::see(Index facet, Index site) const
+PiecePlaces::PiecePlaces(const VertexPlaces& places, Offset piece)
+  : m_places(places)
+  , m_piece(piece)
+  , m_facet(places.diagram.facets[piece])
 {
-  FacetSite seen;
-  seen.id = site;
-  CornerReader<Eigen::Dynamic> reader(this->surface);
-  for (int k = 0; k < 3; ++k)
+}
+
+const FacetSite& PiecePlaces::see(Index site, int slot)
+{
+  FacetSite& seen = m_seen[slot];
+  if (seen.id == site)
   {
-    seen.h[k] = squaredDistance<Eigen::Dynamic>(this->sites.site(site),
-      reader.corner(this->surface.facetCorners[facet][k]), this->surface.dimension);
+    return seen;
   }
+  seen.id = site;
+  const EmbeddedSurface& surface = m_places.surface;
+  CornerReader<Eigen::Dynamic> reader(surface);
+  dispatchDimension(surface.dimension,
+    [&](auto dimension)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        seen.h[k] = squaredDistance<decltype(dimension)::value>(m_places.sites.site(site),
+          reader.corner(surface.facetCorners[m_facet][k]), surface.dimension);
+      }
+    });
   return seen;
 }
 
-std::array<double, 3> VertexPlaces::at(Offset piece, Offset vertex) const
+std::array<double, 3> PiecePlaces::at(Offset vertex)
 {
-  const Index facet = this->diagram.facets[piece];
-  const Index incoming = this->diagram.acrossIncoming(piece, vertex);
-  const Index outgoing = this->diagram.across[vertex];
+  const Index incoming = m_places.diagram.acrossIncoming(m_piece, vertex);
+  const Index outgoing = m_places.diagram.across[vertex];
   std::array<double, 3> b = { 0.0, 0.0, 0.0 };
   if (incoming < 0 && outgoing < 0) // the corner where the facet's edge starts
   {
     b[-1 - outgoing] = 1.0;
     return b;
   }
-  const FacetSite own = this->see(facet, this->diagram.sites[piece]);
-  const FacetSite other = this->see(facet, std::max(incoming, outgoing));
+  const FacetSite& own = this->see(m_places.diagram.sites[m_piece], ownSlot);
+  // On the way around, the site across the next edge takes the place of that before the last.
+  const int before = m_seen[0].id == incoming ? 0 : 1;
   if (incoming < 0 || outgoing < 0)
   {
-    placeOnEdge(
-      this->surface.facetCorners[facet], own, other, -1 - std::min(incoming, outgoing), b.data());
+    const FacetSite& other =
+      incoming < 0 ? this->see(outgoing, 1 - before) : this->see(incoming, before);
+    placeOnEdge(m_places.surface.facetCorners[m_facet], own, other,
+      -1 - std::min(incoming, outgoing), b.data());
   }
   else
   {
-    placeInside(own, other, this->see(facet, std::min(incoming, outgoing)), b.data());
+    const FacetSite& other = this->see(incoming, before);
+    placeInside(own, other, this->see(outgoing, 1 - before), b.data());
   }
   return b;
+}
+
+std::array<double, 3> VertexPlaces::at(Offset piece, Offset vertex) const
+{
+  return PiecePlaces(*this, piece).at(vertex);
 }
 }

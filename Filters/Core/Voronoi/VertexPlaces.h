@@ -33,9 +33,25 @@ struct VertexPlaces
 
   /** Barycentric coordinates in the piece's facet. O(d). */
   std::array<double, 3> at(Offset piece, Offset vertex) const;
+};
+
+/** The same for one piece: faster where all of its vertices are asked for, one after the other. */
+class PiecePlaces
+{
+public:
+  PiecePlaces(const VertexPlaces& places, Offset piece);
+
+  std::array<double, 3> at(Offset vertex);
 
 private:
-  FacetSite see(Index facet, Index site) const;
+  static constexpr int ownSlot = 2;
+
+  const FacetSite& see(Index site, int slot);
+
+  const VertexPlaces& m_places;
+  Offset m_piece;
+  Index m_facet;
+  FacetSite m_seen[3]; ///< across the last edges, and the piece's own
 };
 }
 
