@@ -41,26 +41,19 @@ void addEmbedding(const DiagramSource& source, const DiagramPoints& points, vtkP
 
 /**
  * The pieces that become polygons. Where cells tie, the symbolic perturbation leaves pieces that
- * lie in one point: right in the diagram, but no polygons.
+ * lie in one point or on a line: right in the diagram, but no polygons.
  */
 class DrawnPieces
 {
 public:
-  DrawnPieces(const DiagramSource& source, const DiagramPoints& points, vtkPoints* places)
+  explicit DrawnPieces(const DiagramSource& source)
     : m_diagram(source.result.diagram)
   {
+    const VertexPlaces places{ source.surface(), source.result.sites, m_diagram };
     const auto isDrawn = [&](Offset piece)
     {
-      const Offset end = m_diagram.vertexBegin[piece + 1];
-      const Offset first = m_diagram.vertexBegin[piece];
-      const auto at = [&](Offset vertex)
-      { return Point3::Map(this->coordinates(places) + 3 * points.ofVertex[vertex]); };
-      Offset v = first + 1;
-      while (v < end && at(v) == at(first))
-      {
-        ++v;
-      }
-      return v < end;
+      constexpr double clearlyWide = 1e-10; // share of the facet
+      return m_diagram.integrals[piece].fraction > clearlyWide || this->hasWidth(places, piece);
     };
     static_cast<void>(packItems(
       m_diagram.numberOfPieces(), source.control, isDrawn,
@@ -80,9 +73,20 @@ public:
   Offset operator[](Offset polygon) const { return m_all ? polygon : m_pieces[polygon]; }
 
 private:
-  static const double* coordinates(vtkPoints* places)
+  /** Whether the piece is wider than the rounding of its vertices, in barycentric coordinates. */
+  bool hasWidth(const VertexPlaces& places, Offset piece) const
   {
-    return static_cast<const double*>(places->GetVoidPointer(0));
+    constexpr double rounding = 1e-15;
+    PiecePlaces vertices(places, piece);
+    const Offset first = m_diagram.vertexBegin[piece];
+    const std::array<double, 3> start = vertices.at(first);
+    double length = 0.0;
+    for (Offset v = first + 1; v < m_diagram.vertexBegin[piece + 1]; ++v)
+    {
+      const std::array<double, 3> b = vertices.at(v);
+      length = std::max(length, std::hypot(b[1] - start[1], b[2] - start[2]));
+    }
+    return m_diagram.integrals[piece].fraction > rounding * length;
   }
 
   const Diagram& m_diagram;
@@ -245,7 +249,7 @@ void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
   output->SetPoints(makePoints(
     static_cast<Offset>(points.points.size()),
     [&](Offset k) { return placeOf(source.prepared.mesh, points.points[k]); }, source.control));
-  const DrawnPieces drawn(source, points, output->GetPoints());
+  const DrawnPieces drawn(source);
   output->SetPolys(makePolygons(diagram, points, drawn));
   addPieceArrays(source, drawn, output->GetCellData());
   if (source.dimension() <= embeddingDimension)
