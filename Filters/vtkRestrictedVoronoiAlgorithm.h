@@ -7,8 +7,8 @@
  * | 0 `Surface` | triangles, the restricted Delaunay triangulation: one point per connected
  * component of a restricted cell, placed by `VertexPlacement` | point: `SiteId`, `ComponentId`,
  * `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays; cell: the
- * input's cell arrays | | 1 `VoronoiCells` | convex polygons, one per facet and site (none where
- * ties leave a point or line) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`,
+ * input's cell arrays | | 1 `VoronoiCells` | convex polygons, one per facet and site (no points
+ * or lines that ties leave) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`,
  * `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` | | 2 `Sites`
  * | one vertex per site | point: `SiteId`, `MergedSiteId`, `PatchId`, `Weight`, `Embedding`,
  * `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors` | | 3 `Convergence` |
