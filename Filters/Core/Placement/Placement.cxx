@@ -78,21 +78,19 @@ Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surfac
   return done ? Status::success() : Status::cancelled();
 }
 
-/** Quadrics, and the fit from there if wanted. */
-Status fitVertices(const PlacementProblem& problem, int rounds, const std::vector<Point3>& start,
+/** The quadrics' minima, as near to them as no triangle is spoilt. */
+Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point3>& start,
   const RunControl& control, std::vector<Point3>& positions)
 {
-  if (Status status = placeByQuadrics(problem, control.step(0, 2), positions); !status.ok())
+  if (Status status = placeByQuadrics(problem, control, positions); !status.ok())
   {
     return status;
   }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
-  std::vector<Point3> normals(problem.triangles.size(), Point3::Zero());
-  if (!limitSteps(problem, stars, { start, normals }, start, control, positions))
-  {
-    return Status::cancelled();
-  }
-  return fitToSurface(problem, stars, rounds, start, control.step(1, 2), positions, normals);
+  const std::vector<Point3> unknown(problem.triangles.size(), Point3::Zero());
+  return limitSteps(problem, stars, { start, unknown }, start, control, positions)
+    ? Status::success()
+    : Status::cancelled();
 }
 }
 
@@ -101,22 +99,30 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
   std::vector<Triple>& triangles, Placement& placement)
 {
   const std::vector<Point3> start = startingPlaces(problem, placement.positions);
-  const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
-  placement.positions = way == VertexPlacement::Surface ? onSurface : start;
+  placement.positions = start;
+  const RunControl fitting = control.step(0, 2);
+  Status status = Status::success();
   if (way == VertexPlacement::Quadric || way == VertexPlacement::Fit)
   {
-    const int rounds = way == VertexPlacement::Fit ? fitRounds : 0;
-    if (Status status =
-          fitVertices(problem, rounds, start, control.step(0, 2), placement.positions);
-        !status.ok())
-    {
-      return status;
-    }
+    status = approachQuadrics(problem, start, fitting.step(0, 2), placement.positions);
+  }
+  if (status.ok() && way == VertexPlacement::Fit)
+  {
+    status = fitToSurface(problem, fitRounds, start, fitting.step(1, 2), placement.positions);
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
+  const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
+  if (way == VertexPlacement::Surface)
+  {
+    placement.positions = onSurface;
   }
   const NearbySurface surface(problem, leastHeight(problem.mesh));
-  if (Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn,
-        control.step(1, 2), triangles, placement.positions, placement.repair);
-      !status.ok())
+  status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn,
+    control.step(1, 2), triangles, placement.positions, placement.repair);
+  if (!status.ok())
   {
     return status;
   }

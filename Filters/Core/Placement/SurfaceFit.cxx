@@ -14,10 +14,10 @@ constexpr int fineRounds = 4;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
 }
 
-Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, int rounds,
-  const std::vector<Point3>& shapes, const RunControl& control, std::vector<Point3>& positions,
-  std::vector<Point3>& triangleNormals)
+Status fitToSurface(const PlacementProblem& problem, int rounds, const std::vector<Point3>& shapes,
+  const RunControl& control, std::vector<Point3>& positions)
 {
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
   const EdgeTable edges = buildEdgeTable(problem.triangles);
   FitSystem system = makeFitSystem(problem, edges);
   for (int round = 0; round < rounds; ++round)
@@ -28,8 +28,8 @@ Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, i
       return Status::cancelled();
     }
     VectorField displacements(positions.size(), Point3::Zero());
-    VectorField residual = system.slopes;
-    if (!solveConjugateGradients(system, solverLimits, control, residual, displacements))
+    // The slopes are summed anew in the next round.
+    if (!solveConjugateGradients(system, solverLimits, control, system.slopes, displacements))
     {
       return Status::cancelled();
     }
@@ -46,7 +46,6 @@ Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, i
     positions.swap(goals);
     control.report((round + 1.0) / rounds);
   }
-  triangleNormals.swap(system.triangleNormals);
   return Status::success();
 }
 }

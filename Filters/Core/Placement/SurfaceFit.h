@@ -23,13 +23,10 @@ namespace remesh
  * @param rounds of the fit, >= 0.
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
  * @param positions K, R^3; replaced but at fixed vertices.
- * @param triangleNormals T, along the surface's mean normal where each triangle is; zero for a
- *        triangle that no sample is closest to. Left by the last assembly.
  * Cost: O(pieces + 40 K) per round, and the solver's steps, O(K) each. Parallel, deterministic.
  */
-Status fitToSurface(const PlacementProblem& problem, const VertexStars& stars, int rounds,
-  const std::vector<Point3>& shapes, const RunControl& control, std::vector<Point3>& positions,
-  std::vector<Point3>& triangleNormals);
+Status fitToSurface(const PlacementProblem& problem, int rounds, const std::vector<Point3>& shapes,
+  const RunControl& control, std::vector<Point3>& positions);
 }
 
 #endif
