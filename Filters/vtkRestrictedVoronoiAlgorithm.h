@@ -8,7 +8,8 @@
  * component of a restricted cell, placed by `VertexPlacement` | point: `SiteId`, `ComponentId`,
  * `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays; cell: the
  * input's cell arrays | | 1 `VoronoiCells` | convex polygons, one per facet and site (no points
- * or lines that ties leave) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`,
+ * or lines that ties leave) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`,
+ * `InputCellId`,
  * `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` | | 2 `Sites`
  * | one vertex per site | point: `SiteId`, `MergedSiteId`, `PatchId`, `Weight`, `Embedding`,
  * `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors` | | 3 `Convergence` |
@@ -99,10 +100,10 @@ public:
    *   as far as no triangle turns over or collapses. The distance to the surface is about a third
    *   of that of CENTROID.
    *
-   * Points where a triangle would face against the surface are put elsewhere in all cases, first one
-   * by one and then together with those around, and only where that does not help, edges are turned
-   * over: these triangles are not the dual of the cells.
-   * See the field array `NumberOfFlippedTriangles` for what is left.
+   * Points where a triangle would face against the surface are put elsewhere in all cases, first
+   * one by one and then together with those around, and only where that does not help, edges are
+   * turned over: these triangles are not the dual of the cells. See the field array
+   * `NumberOfFlippedTriangles` for what is left.
    */
   vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);
   vtkGetMacro(VertexPlacement, int);
@@ -189,8 +190,8 @@ public:
   /**
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
    * "sampling", "lloyd", "newton", "repair" (of the mesh's topology),
-   * "placement" (of the mesh's points), "distance" (of mesh and surface), "diagram" (diagram, dual
-   * and output arrays). 0 for other names.
+   * "placement" (of the mesh's points), "distance" (of mesh and surface; 0 with a distance
+   * tolerance), "diagram" (diagram, dual and output arrays). 0 for other names.
    */
   double GetPhaseSeconds(const char* phase) const;
 

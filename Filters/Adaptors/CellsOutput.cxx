@@ -76,7 +76,7 @@ private:
   /** Whether the piece is wider than the rounding of its vertices, in barycentric coordinates. */
   bool hasWidth(const VertexPlaces& places, Offset piece) const
   {
-    constexpr double rounding = 1e-15;
+    constexpr double rounding = 1e-13; // some times that of placeInside
     PiecePlaces vertices(places, piece);
     const Offset first = m_diagram.vertexBegin[piece];
     const std::array<double, 3> start = vertices.at(first);

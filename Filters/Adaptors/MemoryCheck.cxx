@@ -1,5 +1,7 @@
 #include "Adaptors/MemoryCheck.h"
 
+#include "Optimization/QuasiNewton.h"
+
 #include "vtksys/SystemInformation.hxx"
 
 #include <cmath>
@@ -18,7 +20,7 @@ constexpr double otherBytes = 600.0;
 
 Status checkMemory(Offset numberOfSites, int dimension, int historyLength)
 {
-  const double perCoordinate = vectors * sizeof(double) + 2.0 * historyLength * sizeof(float);
+  const double perCoordinate = vectors * sizeof(double) + historyBytes * historyLength;
   const double needed =
     static_cast<double>(numberOfSites) * (dimension * perCoordinate + otherBytes);
   vtksys::SystemInformation system;

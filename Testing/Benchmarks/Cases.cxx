@@ -54,7 +54,7 @@ Case runCase(const char* name, bool finest, double points)
 Case plainCase(const char* name, bool finest, double points)
 {
   return programCase(std::string("plain-") + name,
-    "the same without features, fit and distances: optimisation and dual alone", finest, points,
+    "the command line without features, fit and distances", finest, points,
     { "--no-features", "--placement", "centroid", "--no-distance" });
 }
 

@@ -35,6 +35,10 @@ void testAgainstAll(const TriangleSoup& soup)
     CHECK_EQUAL(all[tree.triangleOf(place.slot)], place.at.squared);
     CHECK_NEAR((tree.positionOf(place) - point).squaredNorm(), place.at.squared, 1e-12);
 
+    std::size_t visited = 0;
+    tree.visitWithin(point, std::numeric_limits<double>::infinity(),
+      [&](const TriangleTree::Place&) { ++visited; });
+    CHECK_EQUAL(visited, all.size());
     const double radius = 1.2 * place.at.squared + 0.01;
     std::size_t found = 0;
     tree.visitWithin(point, radius, [&](const TriangleTree::Place&) { ++found; });

@@ -315,7 +315,7 @@ int TestAnisotropicRemesher(int, char*[])
   CHECK_EQUAL(filter->GetNumberOfInputComponents(), 1);
   CHECK_EQUAL(filter->GetNumberOfDroppedTriangles(), 0);
   CHECK_EQUAL(filter->GetNumberOfMergedPoints(), 0);
-  for (const char* phase : { "intake", "sampling", "lloyd", "newton", "diagram" })
+  for (const char* phase : { "intake", "sampling", "lloyd", "newton", "diagram", "distance" })
   {
     CHECK(filter->GetPhaseSeconds(phase) > 0.0);
   }

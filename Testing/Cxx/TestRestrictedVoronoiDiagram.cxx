@@ -71,19 +71,25 @@ void checkCommon(vtkRestrictedVoronoiDiagram* filter, vtkPolyData* surface, vtkP
 }
 
 /** Sites on a square grid: where cells tie, what the perturbation leaves is no polygon. */
-void testTies()
+void testTies(Index resolution, const Eigen::Matrix3d& rotation)
 {
-  const auto surface = polyDataOf(gridPatch(16, 16));
-  double bounds[6];
-  surface->GetBounds(bounds);
+  TriangleSoup soup = gridPatch(resolution, resolution);
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : soup.points)
+  {
+    box.extend(point);
+  }
   std::vector<Point3> places;
   for (int k = 0; k < 64; ++k)
   {
-    const double u = (k % 8 + 0.5) / 8.0;
-    const double v = (k / 8 + 0.5) / 8.0;
-    places.emplace_back(
-      bounds[0] + u * (bounds[1] - bounds[0]), bounds[2] + v * (bounds[3] - bounds[2]), bounds[4]);
+    const Point3 share((k % 8 + 0.5) / 8.0, (k / 8 + 0.5) / 8.0, 0.0);
+    places.push_back(rotation * (box.min() + share.cwiseProduct(box.sizes())));
   }
+  for (Point3& point : soup.points)
+  {
+    point = rotation * point;
+  }
+  const auto surface = polyDataOf(soup);
   const auto sites = pointsOnly(places);
   const auto filter = run(surface, sites);
   checkCommon(filter, surface, sites);
@@ -102,7 +108,7 @@ void testTies()
       length = std::max(length, (corners[k] - corners[0]).norm());
       area += 0.5 * (corners[k == 0 ? 0 : k - 1] - corners[0]).cross(corners[k] - corners[0]);
     }
-    CHECK(area.norm() > 1e-12 * length * (bounds[1] - bounds[0])); // neither point nor line
+    CHECK(area.norm() > 1e-14 * length * box.sizes().maxCoeff()); // neither point nor line
   }
 }
 
@@ -249,7 +255,9 @@ void testRoundTrip(const TriangleSoup& soup, double anisotropy, const char* wher
 int TestRestrictedVoronoiDiagram(int, char*[])
 {
   testCubeFaces();
-  testTies();
+  testTies(16, Eigen::Matrix3d::Identity());
+  const Point3 axis = Point3(1.0, 2.0, 3.0).normalized();
+  testTies(240, Eigen::AngleAxisd(0.7, axis).toRotationMatrix());
   testEmbeddingOrProjection();
   testFewSites();
   testKindsOfSites();

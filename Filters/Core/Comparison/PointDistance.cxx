@@ -77,6 +77,10 @@ Status measurePointDistances(const std::vector<Point3>& points, const TriangleTr
           continue;
         }
         const TriangleTree::Place place = surface.closest(points[k], hint);
+        if (place.slot == noIndex)
+        {
+          continue; // too far for a distance
+        }
         hint = place.slot;
         distances[k] = std::sqrt(place.at.squared);
         if (sides)

@@ -47,7 +47,7 @@ TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
   {
     return;
   }
-  Offset nodes = (size + leafSize - 1) / leafSize;
+  Offset nodes = this->leaves();
   do
   {
     nodes = (nodes + lanes - 1) / lanes;

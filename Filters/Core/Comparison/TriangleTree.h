@@ -90,6 +90,7 @@ private:
     int level;      ///< -1: a leaf
   };
 
+  Index leaves() const { return static_cast<Index>((m_ids.size() + leafSize - 1) / leafSize); }
   bool findBoxes(int level, const RunControl& control);
 
   /**
@@ -138,7 +139,9 @@ void TriangleTree::visitLeaves(
     double squared[lanes];
     m_distances({ m_levels[node.level][node.id], point.data(), squared });
     const int bottom = size;
-    for (int k = 0; k < lanes; ++k)
+    const auto children =
+      node.level > 0 ? static_cast<Index>(m_levels[node.level - 1].size()) : this->leaves();
+    for (int k = 0; k < std::min<Index>(lanes, children - node.id * lanes); ++k)
     {
       if (reaches(squared[k]))
       {

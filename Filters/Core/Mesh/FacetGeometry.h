@@ -55,7 +55,7 @@ inline double facetArea(const Point3& a, const Point3& b, const Point3& c)
   return 0.5 * doubleAreaVector(a, b, c).stableNorm();
 }
 
-/** Unit normal; zero if the points are exactly collinear. */
+/** Unit normal; zero if the points are collinear: the sine of the angle is below 1e-150. */
 inline Point3 facetNormal(const Point3& a, const Point3& b, const Point3& c)
 {
   const ShortEdges edges = shortEdges(a, b, c);
@@ -66,8 +66,8 @@ inline Point3 facetNormal(const Point3& a, const Point3& b, const Point3& c)
     return Point3::Zero();
   }
   const Point3 normal = (edges.first / first).cross(edges.second / second);
-  const double squared = normal.squaredNorm(); // of the sine of an angle, so never too small
-  return squared > 0.0 ? Point3(normal / std::sqrt(squared)) : Point3(Point3::Zero());
+  const double squared = normal.squaredNorm();
+  return squared > 1e-300 ? Point3(normal / std::sqrt(squared)) : Point3(Point3::Zero());
 }
 
 /**

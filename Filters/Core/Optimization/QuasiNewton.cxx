@@ -18,9 +18,11 @@ constexpr int mostTrials = 12;
 /** One pair of the history. */
 struct Correction
 {
+  static_assert(2 * sizeof(Bfloat16) == historyBytes);
+
   std::vector<Bfloat16> step;
   std::vector<Bfloat16> change; ///< of the gradient
-  double product = 0.0;      ///< step . change > 0
+  double product = 0.0;         ///< step . change > 0
 };
 
 /** The limited-memory approximation of the inverse Hessian. */
@@ -188,7 +190,7 @@ int historyWithin(const EmbeddedSurface& surface, Offset numberOfSites, int want
   constexpr double largePair = 0x1p24; // bytes
   constexpr double share = 1.0 / 12.0;
   const double d = surface.dimension;
-  const double pair = 2.0 * sizeof(Bfloat16) * static_cast<double>(numberOfSites) * d;
+  const double pair = historyBytes * static_cast<double>(numberOfSites) * d;
   if (surface.dimension < manyDimensions || pair <= largePair)
   {
     return wanted;

@@ -29,6 +29,9 @@ struct QuasiNewtonOptions
   double energyTolerance = 0.0;
 };
 
+/** Of a pair of the history, for each coordinate of a site. */
+constexpr double historyBytes = 4.0;
+
 /**
  * The pairs that a run keeps of those wanted. Where a pair takes more than 16 MB and there are many
  * dimensions, as many as fit into a twelfth of the embedding's own memory, but at least 3.
