@@ -42,7 +42,7 @@ private:
 
 /**
  * The distance of each point to a surface, in the unit of the points; NaN for a point that is not
- * finite.
+ * finite, or so far away that its square is not.
  *
  * @param surface not empty.
  * @param sides of the surface, or nullptr: `behind` is not computed.
