@@ -146,8 +146,8 @@ public:
   /**
    * Whether to measure how far mesh and surface are from each other (default on): the field arrays
    * `MaximumDistance` and `RMSDistance` of port 0. Looks from up to 100 000 triangles of each,
-   * from one to three places of a triangle; a tenth of a default run at most. A distance tolerance
-   * measures in any case.
+   * from one to three places of a triangle; a tenth to a fifth of a default run (most for few
+   * points). A distance tolerance measures in any case.
    */
   vtkSetMacro(MeasureDistance, bool);
   vtkGetMacro(MeasureDistance, bool);

@@ -2,24 +2,17 @@
 // formulas.
 
 #include "Placement/StarHeights.h"
-#include "Support/Random.h"
-#include "TestInstructionSets.h"
+#include "TestLanes.h"
 #include "TestSupport.h"
 
 #include <cmath>
 
 using namespace remesh;
+using test::infinity;
+using test::randomPoint;
 
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Point3 randomPoint(std::uint64_t seed, std::uint64_t index)
-{
-  return { uniform01(seed, index, 0) - 0.5, uniform01(seed, index, 1) - 0.5,
-    uniform01(seed, index, 2) - 0.5 };
-}
-
 struct Star
 {
   std::vector<StarGroup> groups;

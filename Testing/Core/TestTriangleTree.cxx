@@ -103,6 +103,11 @@ void testSides()
   CHECK(std::isnan(distances.back()));
   CHECK(measurePointDistances(points, tree, nullptr, RunControl(), distances, behind).ok());
   CHECK(behind.empty());
+  // So far away that no distance can be told from infinity.
+  const std::vector<Point3> far = { { 1e200, 0.0, 0.0 }, { 0.5, 0.5, 3.0 } };
+  CHECK(measurePointDistances(far, tree, &sides, RunControl(), distances, behind).ok());
+  CHECK(std::isnan(distances[0]) && behind[0] == 0);
+  CHECK_NEAR(distances[1], 2.0, 1e-14);
 }
 }
 

@@ -12,8 +12,6 @@ namespace remesh
 {
 namespace
 {
-constexpr int fitRounds = 10;
-
 /** Centroids but at the fixed vertices that have places already. */
 std::vector<Point3> startingPlaces(
   const PlacementProblem& problem, const std::vector<Point3>& given)
@@ -108,7 +106,7 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
   }
   if (status.ok() && way == VertexPlacement::Fit)
   {
-    status = fitToSurface(problem, fitRounds, start, fitting.step(1, 2), placement.positions);
+    status = fitToSurface(problem, start, fitting.step(1, 2), placement.positions);
   }
   if (!status.ok())
   {

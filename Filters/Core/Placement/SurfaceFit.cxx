@@ -10,11 +10,12 @@ namespace
 // With fewer, the triangles come closer to the samples than to what is between.
 constexpr int samplesPerVertex = 40;
 constexpr int coarseSamples = 18; // in all but the last rounds
+constexpr int rounds = 10;
 constexpr int fineRounds = 4;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
 }
 
-Status fitToSurface(const PlacementProblem& problem, int rounds, const std::vector<Point3>& shapes,
+Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& shapes,
   const RunControl& control, std::vector<Point3>& positions)
 {
   const VertexStars stars(problem.triangles, problem.numberOfVertices());

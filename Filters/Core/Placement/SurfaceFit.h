@@ -20,12 +20,11 @@ namespace remesh
  * it where it bends; fitted ones share the error out to both sides, which on a convex surface
  * makes it a quarter.
  *
- * @param rounds of the fit, >= 0.
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
  * @param positions K, R^3; replaced but at fixed vertices.
  * Cost: O(pieces + 40 K) per round, and the solver's steps, O(K) each. Parallel, deterministic.
  */
-Status fitToSurface(const PlacementProblem& problem, int rounds, const std::vector<Point3>& shapes,
+Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& shapes,
   const RunControl& control, std::vector<Point3>& positions);
 }
 
