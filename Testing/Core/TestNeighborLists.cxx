@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 using namespace remesh;
 
@@ -129,6 +130,40 @@ void testLimit()
   CHECK_EQUAL(walk.leastDistance(), 8.0);
 }
 
+/** A few sites that leap wear the lists around them out, and no others: none is built anew. */
+void testLeapers()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(3)), 6);
+  Sites sites = test::sampled(surface, 900, 5);
+  NeighborLists lists;
+  CHECK(lists.update(sites, RunControl()).ok());
+  const std::vector<Index> leapers{ 3, 450, 451 };
+  std::vector<double> reaches;
+  for (Index site = 0; site < sites.count(); ++site)
+  {
+    reaches.push_back(lists.reach(site));
+  }
+  for (int step = 1; step < 4; ++step)
+  {
+    for (const Index leaper : leapers)
+    {
+      std::copy_n(sites.site(100 * step + leaper), 6, sites.site(leaper));
+      sites.site(leaper)[0] += 1e-3;
+    }
+    CHECK(lists.update(sites, RunControl()).ok());
+    CHECK(lists.approachOfListed(3) > 0.1); // not built anew
+    Index worn = 0;
+    for (Index site = 0; site < sites.count(); ++site)
+    {
+      worn += lists.reach(site) < 0.6 * reaches[site];
+    }
+    CHECK(worn > 0);
+    CHECK(worn < 100);
+    checkAllWalks(sites, lists, 7, false);
+    checkWalk(sites, lists, *std::make_unique<LongerLists>(), 100 * step + 3, false);
+  }
+}
+
 /** Sites that creep, then jump, then grow in number: the lists stay valid, kept or built anew. */
 void testMovingSites()
 {
@@ -159,6 +194,7 @@ int TestNeighborLists(int, char*[])
   testRandomSites();
   testTies();
   testLimit();
+  testLeapers();
   testMovingSites();
   return test::result();
 }

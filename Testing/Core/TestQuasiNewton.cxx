@@ -67,6 +67,36 @@ void testDescent()
   }
 }
 
+/** No step is longer than twice the root mean square radius of the cell it leaves. */
+void testStepsStayNear()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::torus(1.0, 0.4, 36, 18)), 6);
+  Sites start = test::sampled(surface, 400, 2);
+  for (Index i = 0; i < 300; ++i) // most of them in one place, from which they spread
+  {
+    for (int k = 0; k < 6; ++k)
+    {
+      start.site(i)[k] = 0.5 * start.site(399)[k] + 0.5 * start.site(i)[k];
+    }
+  }
+  Run before = minimized(surface, start, steps(0));
+  int longest = 0;
+  for (int count = 1; count < 12; ++count)
+  {
+    Run run = minimized(surface, start, steps(count));
+    for (Index i = 0; i < start.count(); ++i)
+    {
+      const double most = 2.0 * std::sqrt(before.sums.energy[i] / before.sums.mass[i]);
+      const double length =
+        std::sqrt(test::exactDistance2(run.sites.site(i), before.sites.site(i), 6));
+      CHECK(length <= most * (1.0 + 1e-9));
+      longest += length > 0.999 * most;
+    }
+    before = std::move(run);
+  }
+  CHECK(longest > 0); // there are some that would be longer
+}
+
 /** Without a history a step is Lloyd's. */
 void testFirstStepIsLloyds()
 {
@@ -143,6 +173,7 @@ void testTolerances()
 int TestQuasiNewton(int, char*[])
 {
   testDescent();
+  testStepsStayNear();
   testFirstStepIsLloyds();
   testFasterThanLloyd();
   testConvergence();

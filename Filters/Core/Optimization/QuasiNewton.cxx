@@ -5,7 +5,10 @@
 #include "Optimization/FixedSites.h"
 #include "Support/Bfloat16.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <cmath>
 #include <deque>
 
 namespace remesh
@@ -14,6 +17,7 @@ namespace
 {
 constexpr double sufficientDecrease = 1e-4; // Armijo's constant
 constexpr int mostTrials = 12;
+constexpr double longestStep = 2.0; // times the root mean square radius of the cell
 
 /** One pair of the history. */
 struct Correction
@@ -124,6 +128,24 @@ private:
   std::deque<Correction> m_history; ///< oldest first
 };
 
+/**
+ * Shortens the steps that leave their cell's surroundings, of which the energy at hand tells
+ * nothing: a cell that has become small since the history was written makes its site leap.
+ */
+void stayNear(const CellSums& sums, int dimension, std::vector<double>& direction)
+{
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t i = 0; i < sums.mass.size(); ++i)
+  {
+    Eigen::Map<Eigen::VectorXd> step(direction.data() + i * d, dimension);
+    const double most = longestStep * std::sqrt(sums.energy[i] / sums.mass[i]);
+    if (const double length = step.norm(); length > most)
+    {
+      step *= most / length;
+    }
+  }
+}
+
 /** Where the line search is, and what it found there. */
 struct Trial
 {
@@ -211,6 +233,7 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
   for (int step = 0; step < options.iterations && sums.gradientNorm > gradientBound; ++step)
   {
     hessian.descend(sums, sites.dimension, direction);
+    stayNear(sums, sites.dimension, direction);
     if (!(slopeAlong(sums, direction, vectors) < 0.0))
     {
       hessian.clear(); // the history misleads: Lloyd's direction always descends

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace remesh
 {
@@ -25,6 +26,9 @@ constexpr Index nearNeighbors = 3;
 constexpr double leastReach = 1.6;
 /** Lists are built anew when this part of them is worn. */
 constexpr double mostWorn = 0.02;
+/** At most so many sites, and at most one of so many, move by more than the usual. */
+constexpr Offset mostLeapers = 32;
+constexpr Offset sitesForLeaper = 256;
 /** Covers the rounding of the distances that the displacements are compared with. */
 constexpr double aboveRounding = 1.0 + 1e-12;
 
@@ -111,7 +115,37 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
           m_approaches[k] = m_displacements[k] + largest;
         }
       });
-  return compared ? Status::success() : Status::cancelled();
+  return compared && this->findLeapers(sites, control) ? Status::success() : Status::cancelled();
+}
+
+bool NeighborLists::findLeapers(const Sites& sites, const RunControl& control)
+{
+  const Offset count = sites.count();
+  std::vector<Index> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), 0);
+  const auto last = order.begin() + std::min(mostLeapers, count / sitesForLeaper);
+  std::nth_element(order.begin(), last, order.end(),
+    [&](Index a, Index b)
+    {
+      return m_displacements[a] != m_displacements[b] ? m_displacements[a] > m_displacements[b]
+                                                      : a < b;
+    });
+  m_usualDisplacement = m_displacements[*last];
+  return forEachRange(blocksOf(sites), control,
+    [&](Offset begin, Offset end)
+    {
+      for (Offset k = begin; k < end; ++k)
+      {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (auto leaper = order.begin(); leaper != last; ++leaper)
+        {
+          const double squared = squaredDistance<Eigen::Dynamic>(
+            sites.site(static_cast<Index>(k)), sites.site(*leaper), sites.dimension);
+          nearest = *leaper == k ? nearest : std::min(nearest, squared);
+        }
+        m_leapers[k] = roundedDown(std::sqrt(nearest) / aboveRounding);
+      }
+    });
 }
 
 bool NeighborLists::worn() const
@@ -177,6 +211,8 @@ Status NeighborLists::build(const Sites& sites, const RunControl& control)
   m_displacements.assign(n, 0.0);
   m_approaches.assign(n, 0.0);
   m_largestDisplacement = 0.0;
+  m_usualDisplacement = 0.0;
+  m_leapers.assign(n, std::numeric_limits<float>::infinity());
   const bool done = forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)
     {

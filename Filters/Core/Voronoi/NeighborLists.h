@@ -9,9 +9,9 @@
  * Lists are kept while the sites move little (Verlet lists, as in molecular dynamics): with d0 the
  * distance when the list was built and delta the displacement since, the distance now is at least
  * d0 - delta_i - delta_max, where delta_max is that of the sites in the list for those, and of all
- * sites for others. All stopping tests use that lower bound, so they stay exact. Lists are
- * built anew when too many have become too short to be of use; how far each reached tells how far
- * to look then.
+ * sites for others; the distances of the few that moved farthest are measured instead. All stopping
+ * tests use that lower bound, so they stay exact. Lists are built anew when too many have become
+ * too short to be of use; how far each reached tells how far to look then.
  */
 #ifndef remesh_NeighborLists_h
 #define remesh_NeighborLists_h
@@ -68,14 +68,23 @@ public:
   bool holds(Index site, double distance, double& farthest) const
   {
     farthest = distance + m_approaches[site];
-    return distance + this->approach(site) <= m_places[site].reach;
+    return distance <= this->reach(site);
   }
 
   /** Sites that are not in the list are no nearer than this now; infinity if all are in it. */
-  double reach(Index site) const { return m_places[site].reach - this->approach(site); }
+  double reach(Index site) const { return this->leastNow(site, m_places[site].reach); }
 
-  /** At most by so much is another site nearer now than when the list was built. */
-  double approach(Index site) const { return m_displacements[site] + m_largestDisplacement; }
+  /**
+   * Sites that were no nearer than `distance` when the lists were built are no nearer than this
+   * now: all may have come by the largest displacement, or the few that moved farthest are where
+   * they are, and the others came by the largest of theirs.
+   */
+  double leastNow(Index site, double distance) const
+  {
+    const double own = distance - m_displacements[site];
+    return std::max(own - m_largestDisplacement,
+      std::min(own - m_usualDisplacement, static_cast<double>(m_leapers[site])));
+  }
   /** The same of the sites in the list. */
   double approachOfListed(Index site) const { return m_approaches[site]; }
 
@@ -92,6 +101,7 @@ private:
   };
 
   Status measureDisplacements(const Sites& sites, const RunControl& control);
+  bool findLeapers(const Sites& sites, const RunControl& control);
   bool worn() const;
   void buildList(Index site, const Place& like, std::vector<Neighbor>& found);
 
@@ -106,6 +116,8 @@ private:
   std::vector<double> m_displacements; ///< n, since the lists were built
   std::vector<double> m_approaches;    ///< n, of the sites in each list
   double m_largestDisplacement = 0.0;
+  double m_usualDisplacement = 0.0; ///< the largest but for those of a few sites
+  std::vector<float> m_leapers;     ///< n, the distance of the nearest of these; rounded down
 };
 
 /** One thread's longer lists, kept while it works on a block. */
@@ -160,7 +172,7 @@ public:
       }
     }
     m_least = m_extended
-      ? std::max(m_least, (*m_extended)[m_current].distance - m_lists.approach(m_site))
+      ? std::max(m_least, m_lists.leastNow(m_site, (*m_extended)[m_current].distance))
       : std::min(
           m_list.distances[m_current] - m_lists.approachOfListed(m_site), m_lists.reach(m_site));
     return !excludes(m_least);
