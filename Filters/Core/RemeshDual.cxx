@@ -4,7 +4,7 @@
 #include "Embedding/Embedding.h"
 #include "Features/FeatureGraph.h"
 #include "Optimization/FixedSites.h"
-#include "Optimization/Lloyd.h"
+#include "Optimization/LocalRelaxation.h"
 #include "RemeshRepair.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
@@ -92,16 +92,13 @@ Status knowSurface(const Task& task, const RunControl& control, RemeshResult& re
                                  task.mesh.numberOfPoints(), control, result.topology.surface);
 }
 
-/** A few Lloyd steps after sites were moved. */
-Status settle(const EmbeddedSurface& surface, std::uint64_t seed, const RunControl& control,
-  RemeshResult& result)
+/** A few Lloyd steps for the sites around these places. */
+Status settle(const Task& task, const Sites& earlier, const SiteChanges& changes,
+  const std::vector<double>& places, const RunControl& control, RemeshResult& result)
 {
-  RestrictedVoronoi voronoi(surface);
-  Convergence apart; // not the optimisation's
-  Status status = relaxLloyd(voronoi, surface, settlingSteps, seed, control, result.sites,
-    result.sums, apart, result.emptyCells);
-  roundToCaller(surface, result.sites);
-  result.evaluations += voronoi.evaluations();
+  Status status = relaxAround(task.surface, result.diagram, earlier, changes, places,
+    settlingSteps, task.options.seed, control, result.sites);
+  roundToCaller(task.surface, result.sites);
   return status;
 }
 
@@ -121,6 +118,7 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       return status;
     }
     result.seconds.diagram += watch.lap();
+    Sites earlier = mayRepair ? result.sites : Sites{};
     const Index moved =
       mayRepair && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
     result.seconds.repair += watch.lap();
@@ -129,14 +127,20 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       break;
     }
     result.movedSites += moved;
-    if (othersMustStay(moved, repair))
+    roundToCaller(task.surface, result.sites);
+    if (!othersMustStay(repair))
     {
-      roundToCaller(task.surface, result.sites); // nothing is to change but what was touched
-      continue;
+      const SiteChanges changes = compareSites(earlier, result.sites);
+      if (Status status =
+            settle(task, earlier, changes, changes.places, rest.silent(), result);
+          !status.ok())
+      {
+        return status;
+      }
     }
-    if (Status status = settle(task.surface, options.seed, rest.silent(), result); !status.ok())
+    else if (repair.settled.count() == 0)
     {
-      return status;
+      repair.settled = std::move(earlier);
     }
     result.seconds.repair += watch.lap();
   }
@@ -153,12 +157,18 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
   return status;
 }
 
-/** Spreads the sites evenly where some were taken away, as far as nothing breaks. */
+/** Spreads the sites evenly where some came or went, as far as nothing breaks. */
 Status smooth(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   Stopwatch watch;
-  bool broken = repair.counts.unsettledSites == 0 || !result.topology.certificate.holds();
-  const bool areFew = repair.counts.unsettledSites < sitesForOneMore * result.sites.count();
+  if (repair.settled.count() == 0)
+  {
+    return Status::success();
+  }
+  const std::vector<double> places = compareSites(repair.settled, result.sites).places;
+  bool broken = places.empty() || !result.topology.certificate.holds();
+  const bool areFew = static_cast<double>(places.size()) <
+    sitesForOneMore * static_cast<double>(result.sites.coordinates.size());
   for (int round = areFew ? 1 : 0; round < mostSmoothings && !broken; ++round)
   {
     const Index count = result.components.count();
@@ -166,7 +176,8 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
     keepState(result, repair);
     const std::vector<Index> staying = sitesAroundAdded(
       result.components, result.dual, result.sites.count(), repair.counts.addedSites);
-    Status status = settle(task.surface, task.options.seed, control, result);
+    const SiteChanges none = compareSites(repair.best.sites, result.sites);
+    Status status = settle(task, repair.best.sites, none, places, control, result);
     if (status.ok())
     {
       for (const Index site : staying)

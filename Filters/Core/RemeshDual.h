@@ -18,14 +18,14 @@ namespace remesh
  * 3. where the number of vertices is not what was asked for, sites are added or taken away;
  * 4. where triangles are flipped, sites are added, and others taken away.
  *
- * The first changes are followed by a few steps of Lloyd's; later ones change nothing but what they
- * must. If there were such, all sites but those added and those around them take a few steps again
- * in the end, as far as the certificate holds and no more triangles are flipped. The state with the
- * best score (RemeshRepair.h) counts.
+ * The first changes are followed by a few steps of Lloyd's around them; later ones change nothing
+ * but what they must. If there were such, the sites around them, but for those added and their
+ * neighbours, take a few steps in the end, as far as the certificate holds and no more triangles
+ * are flipped. The state with the best score (RemeshRepair.h) counts.
  *
  * @param othersStay from the first change on, nothing changes but what must.
  * @param result its sites are given, and change.
- * Cost: of each round about that of three steps of Lloyd's, less where these are left out.
+ * Cost: of each round about that of three steps of Lloyd's.
  */
 Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result);
 }

@@ -17,10 +17,10 @@ constexpr int settledRepairs = 2;    // later ones change nothing but what they 
 constexpr int roundsBetweenCuts = 4; // of tips
 constexpr double mostFailures = 0.1; // of the vertices; with more, there is no use in going on
 constexpr int mostRefinements = 10;  // rounds in which free sites may join curves
-/** Settling after later ones only brings others to the curves. */
-constexpr int settledRefinements = 1;
+/** Settling after later ones would only bring others to the curves. */
+constexpr int settledRefinements = 4;
 constexpr int mostAdjustments = 10;   // of the number of vertices
-constexpr int settledAdjustments = 2; // later ones change nothing but what they must
+constexpr int settledAdjustments = 4; // later ones change nothing but what they must
 constexpr int mostFlipRounds = 3;     // in which sites go to flipped triangles
 constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
@@ -215,14 +215,36 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
 }
 }
 
+namespace
+{
+/** Curves where cells reach them; the number of vertices is brought to what it shall be at once. */
+Index repairCurves(
+  const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+{
+  const Offset before = result.featureSites.numberOfPoints();
+  Refinement refinement;
+  const Index touched = refineCurves(task.mesh, task.surface, *task.features, result.seams,
+    result.sites, task.mostPointsOnFeatures(result.numberOfVertexSites()), control,
+    result.stations, result.featureSites, refinement.removed);
+  if (touched > 0)
+  {
+    const Offset joining = static_cast<Offset>(refinement.removed.size());
+    const Offset onCurves = result.featureSites.numberOfPoints() - before;
+    const Offset wanted = task.options.exactNumber
+      ? task.options.numberOfSites + repair.counts.extraPoints - onCurves
+      : result.components.count() - joining;
+    revise(std::move(refinement), result.topology.certificate, wanted, task, repair, result);
+    replaceFixed(result.featureSites, result.sites);
+  }
+  return touched;
+}
+}
+
 Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   if (task.features && repair.refinements < mostRefinements)
   {
-    const Index touched = refineCurves(task.mesh, task.surface, *task.features, result.seams,
-      task.mostPointsOnFeatures(result.numberOfVertexSites()), control, result.stations,
-      result.featureSites, result.sites);
-    if (touched > 0)
+    if (const Index touched = repairCurves(task, control, repair, result); touched > 0)
     {
       ++repair.refinements;
       return touched;
@@ -252,11 +274,10 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   return repairFlips(task, control, repair, result);
 }
 
-bool othersMustStay(Index touched, Repair& repair)
+bool othersMustStay(const Repair& repair)
 {
-  const bool repaired = repair.othersStay || repair.adjustments > settledAdjustments ||
-    repair.stage != RepairStage::Refine || repair.rounds > settledRepairs || repair.flipRounds > 0;
-  repair.counts.unsettledSites += repaired ? touched : 0;
-  return repaired || repair.refinements > settledRefinements;
+  return repair.othersStay || repair.adjustments > settledAdjustments ||
+    repair.stage != RepairStage::Refine || repair.rounds > settledRepairs ||
+    repair.flipRounds > 0 || repair.refinements > settledRefinements;
 }
 }

@@ -17,8 +17,7 @@ struct RepairCounts
 {
   Index addedSites = 0; ///< about the last ones there are
   Offset extraPoints = 0;
-  Offset flips = 0;         ///< flipped triangles; 0 as long as the topology is being repaired
-  Index unsettledSites = 0; ///< that were changed without Lloyd's steps after
+  Offset flips = 0; ///< flipped triangles; 0 as long as the topology is being repaired
 };
 
 /** What a state of the sites is made of. */
@@ -59,6 +58,7 @@ struct Repair
   Offset fewestFailures = std::numeric_limits<Offset>::max();
   int flipRounds = 0;
 
+  Sites settled; ///< before the first change that no Lloyd's steps followed; none as yet if empty
   RepairCounts counts;
   SiteState best;
   Score scoreOfBest = worstScore;
@@ -86,8 +86,8 @@ std::vector<Index> flippedTriangles(
  */
 Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result);
 
-/** Whether the last sites touched are to be the only ones that change; if so, notes it. */
-bool othersMustStay(Index touched, Repair& repair);
+/** Whether the last sites touched are to be the only ones that change. */
+bool othersMustStay(const Repair& repair);
 }
 
 #endif

@@ -11,25 +11,14 @@ namespace
 {
 constexpr double leastGap = 0.02; // of a section, between its ends and a new place
 
-/** The new fixed sites, then the free ones that stay. */
-Sites replaceFixed(const Sites& fixed, const Sites& old, const std::vector<char>& removed)
-{
-  Sites sites = fixed;
-  for (Index i = old.fixed; i < old.count(); ++i)
-  {
-    if (!removed[i])
-    {
-      sites.coordinates.insert(sites.coordinates.end(), old.site(i), old.site(i) + old.dimension);
-    }
-  }
-  return sites;
-}
 }
 
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Seams& seams, Offset mostPoints, const RunControl& control,
-  Stations& stations, FeatureSites& featureSites, Sites& sites)
+  const Features& features, const Seams& seams, const Sites& sites, Offset mostPoints,
+  const RunControl& control, Stations& stations, FeatureSites& featureSites,
+  std::vector<Index>& joining)
 {
+  joining.clear();
   std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
   std::set<std::pair<Index, Index>> divided;
   std::vector<std::vector<double>> lengths(stations.size());
@@ -50,6 +39,7 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     {
       ++count;
       removed[intrusion.site] = 1;
+      joining.push_back(intrusion.site);
       divided.insert(section);
     }
   }
@@ -59,9 +49,16 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   }
   featureSites = makeFeatureSites(mesh, surface, features, stations);
   const double spacing = std::sqrt(surface.siteMeasure / sites.count());
-  count +=
+  return count +
     separateCurves(mesh, surface, features, mostPoints, spacing, control, stations, featureSites);
-  sites = replaceFixed(featureSites.sites, sites, removed);
-  return count;
+}
+
+void replaceFixed(const FeatureSites& featureSites, Sites& sites)
+{
+  const auto free = sites.coordinates.begin() +
+    static_cast<std::ptrdiff_t>(sites.fixed) * static_cast<std::ptrdiff_t>(sites.dimension);
+  Sites replaced = featureSites.sites;
+  replaced.coordinates.insert(replaced.coordinates.end(), free, sites.coordinates.end());
+  sites = std::move(replaced);
 }
 }

@@ -56,11 +56,7 @@ struct CornerCoordinates
   /** Copies the row of a corner. */
   void read(Index corner, double* row) const
   {
-    int held = this->dimension;
-    for (const LentArray& array : this->lent)
-    {
-      held -= array.dimension;
-    }
+    const int held = this->heldDimension();
     row = std::copy_n(
       this->values.data() + static_cast<std::size_t>(corner) * static_cast<std::size_t>(held), held,
       row);
@@ -72,7 +68,37 @@ struct CornerCoordinates
     }
   }
 
+  /** The rows of some corners; what is lent stays so. */
+  CornerCoordinates of(const std::vector<Index>& corners) const
+  {
+    CornerCoordinates some;
+    some.dimension = this->dimension;
+    some.lent = this->lent;
+    const auto held = static_cast<std::size_t>(this->heldDimension());
+    for (const Index corner : corners)
+    {
+      const auto first =
+        this->values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(corner) * held);
+      some.values.insert(some.values.end(), first, first + static_cast<std::ptrdiff_t>(held));
+      if (this->isLent())
+      {
+        some.rows.push_back(this->rows[corner]);
+      }
+    }
+    return some;
+  }
+
 private:
+  int heldDimension() const
+  {
+    int held = this->dimension;
+    for (const LentArray& array : this->lent)
+    {
+      held -= array.dimension;
+    }
+    return held;
+  }
+
   template <class Value>
   static double* copyScaled(const Value* from, const LentArray& array, double* to)
   {

@@ -15,6 +15,7 @@
 #include "Mesh/SurfaceMesh.h"
 
 #include <cmath>
+#include <limits>
 
 namespace remesh
 {
@@ -80,6 +81,13 @@ struct EmbeddedSurface
     return this->patchStep > 0.0
       ? static_cast<Index>(point[this->callerDimension] / this->patchStep + 0.5)
       : 0;
+  }
+
+  /** Below the distance of patches, so that a search for neighbours need not look into others. */
+  double patchLimit() const
+  {
+    return this->patchStep > 0.0 ? (1.0 - 0x1p-10) * this->patchStep
+                                 : std::numeric_limits<double>::infinity();
   }
 
   /** Coordinate k of a point, in the caller's units. */

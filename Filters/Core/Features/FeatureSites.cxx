@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace remesh
 {
@@ -185,18 +186,25 @@ void addCollar(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Fe
 
 namespace
 {
-constexpr double offset = 1e-6; // of the spacing
+constexpr double offset = 1e-8; // of the square root of the surface's measure
 
-/** Moves each site a little within the embedding proper. */
-void shake(const EmbeddedSurface& surface, double spacing, Sites& sites)
+/** Moves each site a little within the embedding proper, by its place and nothing else. */
+void shake(const EmbeddedSurface& surface, Sites& sites)
 {
+  const double most = offset * std::sqrt(surface.siteMeasure);
   for (Index i = 0; i < sites.count(); ++i)
   {
+    std::uint64_t place = 0;
+    for (int k = 0; k < surface.dimension; ++k)
+    {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, sites.site(i) + k, sizeof(bits));
+      place = 31 * place + bits;
+    }
     for (int k = 0; k < surface.callerDimension; ++k)
     {
-      const double random =
-        uniform01(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(k), 0);
-      sites.site(i)[k] += offset * spacing * (2.0 * random - 1.0);
+      const double random = uniform01(place, static_cast<std::uint64_t>(k), 0);
+      sites.site(i)[k] += most * (2.0 * random - 1.0);
     }
   }
 }
@@ -242,7 +250,7 @@ FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& su
     addCollar(mesh, surface, features, stations[c], static_cast<Index>(c), result);
   }
   result.sites.fixed = result.sites.count();
-  shake(surface, std::sqrt(surface.siteMeasure / std::max(1, result.sites.count())), result.sites);
+  shake(surface, result.sites);
   return result;
 }
 }

@@ -69,8 +69,9 @@ struct FeatureSites
  * facet around it. Copies with equal coordinates are one site (both sides of a crease that ends
  * within its patch, where normals do not count). O(V + F).
  *
- * In the embedding the copies are off their places by a millionth of their spacing, in a fixed
- * random direction: evenly spaced sites on a regular surface would meet at exactly one point in
+ * In the embedding the copies are off their places by up to 1e-8 of the square root of the
+ * surface's measure (a millionth of the spacing of 10 000 sites), in a random direction that depends
+ * on the place alone: evenly spaced sites on a regular surface would meet at exactly one point in
  * fours, with pieces of no area.
  */
 FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,

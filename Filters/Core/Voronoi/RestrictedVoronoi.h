@@ -44,7 +44,7 @@ public:
     const EmbeddedSurface& surface, InstructionSet instructions = widestInstructionSet())
     : m_surface(surface)
     , m_instructions(instructions)
-    , m_lists(patchLimit(surface))
+    , m_lists(surface.patchLimit())
   {
   }
 
@@ -61,13 +61,6 @@ public:
   const EvaluationTimes& times() const { return m_times; }
 
 private:
-  /** Below the distance of patches, so that a search for neighbours need not look into others. */
-  static double patchLimit(const EmbeddedSurface& surface)
-  {
-    return surface.patchStep > 0.0 ? (1.0 - 0x1p-10) * surface.patchStep
-                                   : std::numeric_limits<double>::infinity();
-  }
-
   Status locate(const Sites& sites, const RunControl& control);
   template <int D>
   Status evaluate(const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram);

@@ -1,0 +1,45 @@
+/**
+ * @file LocalRelaxation.h
+ * @brief Lloyd's steps for the sites around a few places, at a cost that goes with their number.
+ */
+#ifndef remesh_LocalRelaxation_h
+#define remesh_LocalRelaxation_h
+
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+#include "Voronoi/Diagram.h"
+
+#include <cstdint>
+
+namespace remesh
+{
+/** What became of the sites of one state in another, by their coordinates, bit for bit. */
+struct SiteChanges
+{
+  std::vector<Index> later;   ///< n, of each earlier site; noIndex for one that is gone
+  std::vector<Index> added;   ///< later sites that were not there, ascending
+  std::vector<double> places; ///< m x d, of those that are gone and of those that were added
+
+  bool empty() const { return this->places.empty(); }
+};
+
+/** O(n log n). */
+SiteChanges compareSites(const Sites& earlier, const Sites& later);
+
+/**
+ * Lloyd's steps ([Levy12], Algorithm 3) of the free sites within about two rings of cells around
+ * some places; all others stay. They see the part of the surface that the cells within four rings
+ * cover.
+ *
+ * @param diagram of `earlier`.
+ * @param changes from `earlier` to `later`.
+ * @param places m x d.
+ * @param later its sites move.
+ * Cost: that of the steps on that part, and O(n log n + pieces).
+ */
+Status relaxAround(const EmbeddedSurface& surface, const Diagram& diagram, const Sites& earlier,
+  const SiteChanges& changes, const std::vector<double>& places, int iterations,
+  std::uint64_t seed, const RunControl& control, Sites& later);
+}
+
+#endif

@@ -1,0 +1,121 @@
+// Optimization/LocalRelaxation: what changed between sites, and steps that are Lloyd's around it.
+
+#include "Optimization/LocalRelaxation.h"
+#include "Optimization/Lloyd.h"
+#include "TestDiagrams.h"
+
+#include <algorithm>
+
+using namespace remesh;
+
+namespace
+{
+/** Appends a copy of a site, displaced along one axis. */
+void append(Sites& sites, Index site, double displacement)
+{
+  const std::vector<double> row(sites.site(site), sites.site(site) + sites.dimension);
+  sites.coordinates.insert(sites.coordinates.end(), row.begin(), row.end());
+  sites.site(sites.count() - 1)[0] += displacement;
+}
+
+void erase(Sites& sites, Index site)
+{
+  const auto first =
+    sites.coordinates.begin() + static_cast<std::ptrdiff_t>(site) * sites.dimension;
+  sites.coordinates.erase(first, first + sites.dimension);
+}
+
+void testChanges()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(2)), 6);
+  Sites earlier = test::sampled(surface, 50, 1);
+  append(earlier, 7, 0.0); // two at one place
+  CHECK(compareSites(earlier, earlier).empty());
+  CHECK_EQUAL(compareSites(earlier, earlier).later[7], 7);
+  CHECK_EQUAL(compareSites(earlier, earlier).later[50], 50);
+
+  Sites later = earlier;
+  erase(later, 50);
+  erase(later, 20);
+  append(later, 30, 1e-15);
+  const SiteChanges changes = compareSites(earlier, later);
+  CHECK_EQUAL(changes.later[7], 7);
+  CHECK_EQUAL(changes.later[50], noIndex);
+  CHECK_EQUAL(changes.later[20], noIndex);
+  CHECK_EQUAL(changes.later[49], 48);
+  CHECK(changes.added == std::vector<Index>{ 49 });
+  CHECK_EQUAL(changes.places.size(), std::size_t(3 * 6));
+}
+
+/**
+ * One step around sites that are gone and added: those around take Lloyd's step on the whole
+ * surface, all others stay to the bit; fixed ones, too.
+ */
+void testOneStep()
+{
+  for (const int d : { 3, 6, 17, 65 })
+  {
+    const EmbeddedSurface surface = test::embedded(test::meshOf(test::torus(1.0, 0.4, 48, 24)), d);
+    Sites earlier = test::sampled(surface, 600, 2);
+    RestrictedVoronoi voronoi(surface);
+    CellSums sums;
+    Convergence rows;
+    Index empty = 0;
+    CHECK(relaxLloyd(voronoi, surface, 20, 1, RunControl(), earlier, sums, rows, empty).ok());
+    earlier.fixed = 300;
+    Diagram diagram;
+    CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
+
+    Sites later = earlier;
+    erase(later, 400);
+    append(later, 500, 1e-3);
+    const Sites start = later;
+    const SiteChanges changes = compareSites(earlier, later);
+    CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 1, 1, RunControl(), later)
+            .ok());
+    Sites all = start;
+    CHECK(relaxLloyd(voronoi, surface, 1, 1, RunControl(), all, sums, rows, empty).ok());
+    Index moved = 0;
+    for (Index i = 0; i < later.count(); ++i)
+    {
+      const bool stays = std::equal(later.site(i), later.site(i) + d, start.site(i));
+      moved += !stays;
+      for (int k = 0; k < d && !stays; ++k)
+      {
+        CHECK_NEAR(later.site(i)[k], all.site(i)[k], 1e-12);
+      }
+      CHECK(stays || i >= later.fixed);
+    }
+    CHECK(moved > 10);
+    CHECK(moved <= 51);
+    CHECK(!std::equal(later.site(599), later.site(599) + d, start.site(599)));
+  }
+}
+
+/** Where all sites around are fixed there is nothing to do. */
+void testNothingToMove()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(2)), 3);
+  Sites earlier = test::sampled(surface, 100, 3);
+  earlier.fixed = 100;
+  CellSums sums;
+  Diagram diagram;
+  CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
+  Sites later = earlier;
+  erase(later, 20);
+  later.fixed = 99;
+  const Sites start = later;
+  const SiteChanges changes = compareSites(earlier, later);
+  CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 2, 1, RunControl(), later)
+          .ok());
+  CHECK(later.coordinates == start.coordinates);
+}
+}
+
+int TestLocalRelaxation(int, char*[])
+{
+  testChanges();
+  testOneStep();
+  testNothingToMove();
+  return test::result();
+}
