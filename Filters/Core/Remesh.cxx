@@ -5,6 +5,7 @@
 #include "Features/PatchSampling.h"
 #include "Optimization/FixedSites.h"
 #include "Optimization/Lloyd.h"
+#include "Optimization/SiteOrder.h"
 #include "RemeshDual.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
@@ -175,10 +176,21 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
 
   if (options.optimize)
   {
+    const bool reorder = options.initialSites.count() > 0 && areScattered(result.sites);
+    std::vector<Index> order;
+    if (reorder)
+    {
+      order = orderInSpace(result.sites, control);
+      result.sites = inOrder(result.sites, order);
+    }
     RestrictedVoronoi voronoi(surface);
     if (Status status = optimize(surface, options, control, voronoi, result); !status.ok())
     {
       return status;
+    }
+    if (reorder)
+    {
+      result.sites = inFormerOrder(result.sites, order);
     }
     roundToCaller(surface, result.sites);
     result.evaluations = voronoi.evaluations();

@@ -1,0 +1,31 @@
+/**
+ * @file SiteOrder.h
+ * @brief Sites that come in any order, as a caller may give them, put along a curve through space:
+ * what is near is then near in memory, too.
+ */
+#ifndef remesh_SiteOrder_h
+#define remesh_SiteOrder_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Support/RunControl.h"
+
+namespace remesh
+{
+/**
+ * Whether sites that follow one another are, in the mean, far apart: more than a tenth of the
+ * diagonal of all. Sites drawn from a surface are not; results are the same either way, but slower
+ * to come by. O(n d).
+ */
+bool areScattered(const Sites& sites);
+
+/** The sites along the Hilbert curve of their first three coordinates. O(n). */
+std::vector<Index> orderInSpace(const Sites& sites, const RunControl& control = RunControl());
+
+/** Site k of the result is site order[k]; for sites that are all free. O(n d). */
+Sites inOrder(const Sites& sites, const std::vector<Index>& order);
+
+/** Undoes `inOrder`. */
+Sites inFormerOrder(const Sites& ordered, const std::vector<Index>& order);
+}
+
+#endif
