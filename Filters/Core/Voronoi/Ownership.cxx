@@ -56,6 +56,19 @@ Nearer findNearer(const double* point, Index owner, const Sites& sites, const Ne
   return result;
 }
 
+/**
+ * A site to walk from: the last corner's owner, if the point lies among the sites of its list; else
+ * far from there, or in another patch, the way would be longer than a search.
+ */
+template <int D>
+Index startOf(const double* point, Index last, const Sites& sites, const NeighborLists& lists)
+{
+  return last != noIndex &&
+      std::sqrt(squaredDistance<D>(sites.site(last), point, sites.dimension)) < lists.reach(last)
+    ? last
+    : lists.search().nearest(point);
+}
+
 /** The sum of a lead and the drift, to be compared with later drifts. */
 float kept(double owned, double others, double radius, double drift)
 {
@@ -74,6 +87,7 @@ void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surfa
 {
   LongerLists longer;
   CornerReader<D> reader(surface);
+  Index last = noIndex;
   for (Index corner = begin; corner < end; ++corner)
   {
     Index owner = m_owners[corner];
@@ -89,7 +103,7 @@ void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surfa
     const double* point = reader.corner(corner);
     if (owner == noIndex)
     {
-      owner = lists.search().nearest(point);
+      owner = startOf<D>(point, last, sites, lists);
     }
     Nearer nearer;
     do
@@ -98,6 +112,7 @@ void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surfa
       nearer = findNearer<D>(point, owner, sites, lists, longer);
     } while (nearer.site != noIndex);
     m_owners[corner] = owner;
+    last = owner;
     m_leads[corner] =
       kept(std::sqrt(nearer.owned), nearer.others, m_drift.radius(owner), m_drift.drift(owner));
     if (!m_squared.empty())

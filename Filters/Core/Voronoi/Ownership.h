@@ -17,7 +17,7 @@ namespace remesh
 class Ownership
 {
 public:
-  /** Starts from the last owners, or from a search in the tree. */
+  /** Starts from the last owners; else from that of the corner before, or a search in the tree. */
   Status update(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
     const RunControl& control);
 
