@@ -188,7 +188,8 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
     }
     broken = !status.ok() || !result.topology.certificate.holds() ||
       result.components.count() != count || result.seams.intrusions.size() > intrusions ||
-      static_cast<Offset>(flippedTriangles(task, control, result).size()) > repair.counts.flips;
+      static_cast<Offset>(
+        flippedTriangles(task, FlipSteps::Move, control, result).size()) > repair.counts.flips;
     if (status.ok() && broken)
     {
       restoreState(repair, result);

@@ -2,7 +2,6 @@
 
 #include "Delaunay/FeatureRepair.h"
 #include "Delaunay/TopologyRepair.h"
-#include "Placement/FlipRepair.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,8 +20,8 @@ constexpr int mostRefinements = 10;  // rounds in which free sites may join curv
 constexpr int settledRefinements = 4;
 constexpr int mostAdjustments = 10;   // of the number of vertices
 constexpr int settledAdjustments = 4; // later ones change nothing but what they must
-constexpr int mostFlipRounds = 3;     // in which sites go to flipped triangles
-constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges
+constexpr int mostFlipRounds = 8;     // in which sites go to flipped triangles
+constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges if these mend them
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 }
 
@@ -152,7 +151,7 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
 }
 
 std::vector<Index> flippedTriangles(
-  const Task& task, const RunControl& control, const RemeshResult& result)
+  const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result)
 {
   std::vector<Point3> positions = result.components.centroids;
   const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
@@ -163,7 +162,7 @@ std::vector<Index> flippedTriangles(
   FlipRepair repair;
   std::vector<Index> flipped;
   Status status = repairFlips(problem, surface, result.components.centroids,
-    result.components.centroids, FlipSteps::Move, control, triangles, positions, repair);
+    result.components.centroids, steps, control, triangles, positions, repair);
   if (status.ok() && repair.flippedTriangles > 0)
   {
     status = findFlipped(surface, triangles, positions, control, flipped);
@@ -173,10 +172,17 @@ std::vector<Index> flippedTriangles(
 
 namespace
 {
+/** Whether two rounds of sites for flipped triangles have not even halved their number. */
+bool helpsNoMore(const Repair& repair)
+{
+  const std::vector<Offset>& before = repair.flipsBefore;
+  return before.size() >= 2 && 2 * repair.counts.flips > before[before.size() - 2];
+}
+
 /** Sites for where triangles are flipped; others are taken away. */
 Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
-  const std::vector<Index> flipped = flippedTriangles(task, control, result);
+  std::vector<Index> flipped = flippedTriangles(task, FlipSteps::Move, control, result);
   repair.counts.flips = static_cast<Offset>(flipped.size());
   if (repair.flipRounds == 0 && !result.topology.certificate.holds())
   {
@@ -189,13 +195,22 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
     repair.counts.flips = static_cast<Offset>(flipped.size());
   }
   keepBest(task.options, result, repair);
-  const double few = fewFlips * static_cast<double>(result.dual.triangles.size());
-  if (static_cast<double>(repair.counts.flips) <= few || repair.flipRounds >= mostFlipRounds ||
+  if (repair.flipRounds >= mostFlipRounds || helpsNoMore(repair) ||
     isHopeless(repair.counts.flips, result))
   {
     return 0;
   }
+  const double few = fewFlips * static_cast<double>(result.dual.triangles.size());
+  if (!flipped.empty() && static_cast<double>(repair.counts.flips) <= few)
+  {
+    flipped = flippedTriangles(task, FlipSteps::MoveAndTurn, control, result);
+  }
+  if (flipped.empty())
+  {
+    return 0;
+  }
   ++repair.flipRounds;
+  repair.flipsBefore.push_back(repair.counts.flips);
   repair.rounds = 0;
   repair.idleRounds = 0;
   repair.adjustments = std::min(repair.adjustments, settledAdjustments);

@@ -5,6 +5,7 @@
 #ifndef remesh_RemeshRepair_h
 #define remesh_RemeshRepair_h
 
+#include "Placement/FlipRepair.h"
 #include "RemeshTask.h"
 
 #include <limits>
@@ -57,6 +58,7 @@ struct Repair
   int idleRounds = 0; ///< in this stage, since one with fewer failures than all before
   Offset fewestFailures = std::numeric_limits<Offset>::max();
   int flipRounds = 0;
+  std::vector<Offset> flipsBefore; ///< of these rounds, flipped triangles
 
   Sites settled; ///< before the first change that no Lloyd's steps followed; none as yet if empty
   RepairCounts counts;
@@ -71,11 +73,11 @@ void restoreState(Repair& repair, RemeshResult& result);
 Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
 
 /**
- * The flipped triangles of the cells' centroids that are not turned back by moving vertices, alone
- * or together. Those without a height are not among them: turned edges mend them.
+ * The flipped triangles of the cells' centroids that these steps do not turn back. Those without a
+ * height are not among them: turned edges mend them.
  */
 std::vector<Index> flippedTriangles(
-  const Task& task, const RunControl& control, const RemeshResult& result);
+  const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result);
 
 /**
  * Mends the first of these that is wrong: cells that reach a curve between its sites, the topology,

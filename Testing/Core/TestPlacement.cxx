@@ -2,6 +2,7 @@
 
 #include "TestPlacements.h"
 
+#include "Placement/Retreat.h"
 #include "Support/Random.h"
 
 #include <atomic>
@@ -239,6 +240,49 @@ void testSmall()
     }
   }
 }
+
+/** A vertex across its star flips triangles: it goes back to where it was, and no other does. */
+void testRetreat()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
+  const EmbeddedSurface embedded = test::gaussMapOf(mesh, 0.0);
+  const RemeshResult result = test::remeshed(mesh, 0.0, 200, VertexPlacement::Centroid);
+  const std::vector<char> none;
+  const PlacementProblem problem{ mesh, embedded, result.sites, result.diagram, result.components,
+    result.dual.triangles, none };
+  const NearbySurface surface(problem, leastHeight(mesh));
+  const std::vector<Point3>& others = result.placement.positions;
+  const Triple& triangle = result.dual.triangles[77];
+  std::vector<Point3> positions = others;
+  for (Point3& position : positions)
+  {
+    position += 1e-4 * Point3(1.0, 2.0, 3.0);
+  }
+  const std::vector<Point3> start = positions;
+  positions[triangle[0]] =
+    2.0 * (positions[triangle[1]] + positions[triangle[2]]) / 2.0 - positions[triangle[0]];
+  std::vector<Index> flipped;
+  CHECK(findFlipped(surface, result.dual.triangles, positions, RunControl(), flipped).ok());
+  CHECK(!flipped.empty());
+  const Offset moved = retreat(problem, surface, others, flipped, positions);
+  CHECK(moved >= 3);
+  CHECK(moved < 10);
+  Offset differ = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    differ += positions[v] != start[v];
+    CHECK(positions[v] == start[v] || positions[v] == others[v]);
+  }
+  CHECK_EQUAL(differ, moved);
+  CHECK(findFlipped(surface, result.dual.triangles, positions, RunControl(), flipped).ok());
+  CHECK(flipped.empty());
+  // Where the other places are no better, all stays.
+  std::vector<Point3> bad = others;
+  bad[triangle[0]] = -bad[triangle[0]];
+  positions = bad;
+  CHECK_EQUAL(retreat(problem, surface, bad, { 77 }, positions), 0);
+  CHECK(positions == bad);
+}
 }
 
 int TestPlacement(int, char*[])
@@ -248,5 +292,6 @@ int TestPlacement(int, char*[])
   testFixed();
   testControl();
   testSmall();
+  testRetreat();
   return test::result();
 }

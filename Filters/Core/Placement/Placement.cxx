@@ -2,6 +2,7 @@
 
 #include "Mesh/Extent.h"
 #include "Placement/Quadric.h"
+#include "Placement/Retreat.h"
 #include "Placement/StepLimit.h"
 #include "Placement/SurfaceFit.h"
 #include "Support/Parallel.h"
@@ -90,6 +91,42 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
     ? Status::success()
     : Status::cancelled();
 }
+
+/**
+ * Turns flipped triangles back: by moving vertices, then with the places that vertices come to from
+ * the centroids, and at last by turned edges.
+ */
+Status turnBack(const PlacementProblem& problem, const NearbySurface& surface,
+  const std::vector<Point3>& onSurface, const std::vector<Point3>& start,
+  const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
+{
+  FlipRepair& repair = placement.repair;
+  Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control,
+    triangles, placement.positions, repair);
+  if (!status.ok() || repair.flippedTriangles == 0)
+  {
+    return status;
+  }
+  std::vector<Point3> fromCentroids = start;
+  FlipRepair other;
+  status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, triangles,
+    fromCentroids, other);
+  Offset moved = repair.movedVertices;
+  if (status.ok() && other.flippedTriangles < repair.flippedTriangles)
+  {
+    std::vector<Index> flipped;
+    status = findFlipped(surface, triangles, placement.positions, control, flipped);
+    moved += status.ok() ? retreat(problem, surface, fromCentroids, flipped, placement.positions)
+                         : Offset(0);
+  }
+  if (status.ok())
+  {
+    status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn, control,
+      triangles, placement.positions, repair);
+    repair.movedVertices += moved;
+  }
+  return status;
+}
 }
 
 Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
@@ -118,8 +155,8 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
     placement.positions = onSurface;
   }
   const NearbySurface surface(problem, leastHeight(problem.mesh));
-  status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn,
-    control.step(1, 2), triangles, placement.positions, placement.repair);
+  status =
+    turnBack(problem, surface, onSurface, start, control.step(1, 2), triangles, placement);
   if (!status.ok())
   {
     return status;

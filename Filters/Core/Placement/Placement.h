@@ -28,7 +28,8 @@ struct Placement
 };
 
 /**
- * Places the vertices and turns flipped triangles back (FlipRepair.h).
+ * Places the vertices and turns flipped triangles back (FlipRepair.h): first vertices move, then
+ * some retreat to where they come to from the centroids (Retreat.h), and last edges turn.
  *
  * @param locations K, the points of the surface closest to the centroids; replaced by those closest
  *        to the places, among the facets of the vertex's cell and those around it.

@@ -1,0 +1,72 @@
+#include "Placement/Retreat.h"
+
+#include "Placement/TriangleShape.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+constexpr int mostRings = 4;
+
+void makeUnique(std::vector<Index>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+/** The triangles with a vertex among these, ascending. */
+std::vector<Index> trianglesAround(const std::vector<Index>& vertices, const VertexStars& stars)
+{
+  std::vector<Index> triangles;
+  for (const Index vertex : vertices)
+  {
+    triangles.insert(triangles.end(), stars.triangles.begin() + stars.begin(vertex),
+      stars.triangles.begin() + stars.end(vertex));
+  }
+  makeUnique(triangles);
+  return triangles;
+}
+}
+
+Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
+  const std::vector<Point3>& others, const std::vector<Index>& flipped,
+  std::vector<Point3>& positions)
+{
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  const auto isFlipped = [&](Index t)
+  { return surface.isFlipped(problem.triangles[t], cornersOf(problem.triangles[t], positions)); };
+  Offset moved = 0;
+  for (const Index triangle : flipped)
+  {
+    const Triple& corners = problem.triangles[triangle];
+    std::vector<Index> region(corners.begin(), corners.end());
+    for (int ring = 0; ring <= mostRings && isFlipped(triangle); ++ring)
+    {
+      const std::vector<Index> touched = trianglesAround(region, stars);
+      std::vector<Point3> former;
+      for (const Index vertex : region)
+      {
+        former.push_back(positions[vertex]);
+        positions[vertex] = others[vertex];
+      }
+      if (std::none_of(touched.begin(), touched.end(), isFlipped))
+      {
+        moved += static_cast<Offset>(region.size());
+        break;
+      }
+      for (std::size_t k = 0; k < region.size(); ++k)
+      {
+        positions[region[k]] = former[k];
+      }
+      for (const Index t : touched)
+      {
+        region.insert(region.end(), problem.triangles[t].begin(), problem.triangles[t].end());
+      }
+      makeUnique(region);
+    }
+  }
+  return moved;
+}
+}
