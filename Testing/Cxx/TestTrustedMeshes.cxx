@@ -1,7 +1,7 @@
 // Meshes of surfaces with creases, borders and junctions: topology kept, nothing flipped, and
 // features where they were.
 
-#include "TestMeasures.h"
+#include "TestIntersections.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkSurfaceMeshComparison.h"
@@ -48,6 +48,7 @@ Trial checkedMesh(vtkPolyData* surface, vtkIdType points, double anisotropy)
   trial.comparison->Update();
   CHECK_EQUAL(trial.mesh->GetNumberOfPoints(), points);
   CHECK_EQUAL(trial.value("NumberOfFlippedTriangles"), 0.0);
+  CHECK_EQUAL(numberOfSelfIntersections(trial.mesh), 0);
   for (const char* kept : { "EulerCharacteristic", "NumberOfComponents", "NumberOfBoundaryLoops" })
   {
     CHECK_EQUAL(trial.value(kept), trial.value(std::string("Reference") + kept));
@@ -248,6 +249,27 @@ void testSaddle()
   }
 }
 
+/** A rough closed surface, and a mesh of it that cuts itself for comparison. */
+void testRoughSphere()
+{
+  TriangleSoup soup = icosphere(4);
+  for (Point3& p : soup.points)
+  {
+    p *= 1.0 + 0.15 * std::sin(7.0 * p[0]) * std::sin(8.0 * p[1] + 1.0) * std::sin(9.0 * p[2]);
+  }
+  const auto surface = polyDataOf(soup);
+  for (const double anisotropy : { 0.0, 0.05, 0.1 })
+  {
+    const Trial trial = checkedMesh(surface, 700, anisotropy);
+    CHECK(trial.value("RelativeRMSDistance") < 2e-3);
+  }
+  const auto folded = polyDataOf(soup);
+  folded->GetPoints()->SetPoint(10, 0.0, 0.0, 0.0);
+  folded->GetPoints()->SetPoint(11, 2.0, 0.1, 0.0);
+  folded->GetPoints()->SetPoint(12, -2.0, -0.1, 0.1);
+  CHECK(numberOfSelfIntersections(folded) > 0);
+}
+
 /** A wavy plate with square holes close to each other: 17 loops, concave corners, narrow bars. */
 void testHoles()
 {
@@ -285,6 +307,7 @@ int TestTrustedMeshes(int, char*[])
   testJunction();
   testTube();
   testSaddle();
+  testRoughSphere();
   testHoles();
   return result();
 }
