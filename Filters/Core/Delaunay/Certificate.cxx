@@ -1,6 +1,7 @@
 #include "Delaunay/Certificate.h"
 
 #include "Delaunay/CellDisks.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 
@@ -123,9 +124,7 @@ void checkEdges(const std::vector<std::pair<Pair, Index>>& odd, const std::vecto
       certificate.edges.push_back(edge);
     }
   }
-  std::sort(certificate.edges.begin(), certificate.edges.end());
-  certificate.edges.erase(
-    std::unique(certificate.edges.begin(), certificate.edges.end()), certificate.edges.end());
+  sortUnique(certificate.edges);
 }
 
 /** Step 2, and what was found of step 1. */

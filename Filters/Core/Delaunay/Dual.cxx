@@ -4,6 +4,7 @@
 #include "Mesh/Duplicates.h"
 #include "Mesh/EdgeTable.h"
 #include "Support/Grouping.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 
@@ -187,8 +188,7 @@ Status countNeighbors(const Diagram& diagram, const Components& components, Inde
             }
           }
         }
-        std::sort(neighbors.begin(), neighbors.end());
-        neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+        sortUnique(neighbors);
         for (const auto& [copy, neighbor] : neighbors)
         {
           ++counts[copy];

@@ -2,6 +2,7 @@
 
 #include "Embedding/CornerReader.h"
 #include "Embedding/Distance.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <numeric>
@@ -183,9 +184,7 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
       refine(a, b);
     }
   }
-  std::sort(refinement.removed.begin(), refinement.removed.end());
-  refinement.removed.erase(
-    std::unique(refinement.removed.begin(), refinement.removed.end()), refinement.removed.end());
+  sortUnique(refinement.removed);
   return refinement;
 }
 

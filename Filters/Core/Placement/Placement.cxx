@@ -6,8 +6,7 @@
 #include "Placement/StepLimit.h"
 #include "Placement/SurfaceFit.h"
 #include "Support/Parallel.h"
-
-#include <algorithm>
+#include "Support/SortUnique.h"
 
 namespace remesh
 {
@@ -69,8 +68,7 @@ Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surfac
             const Triple& triangle = problem.triangles[stars.triangles[k]];
             cells.insert(cells.end(), triangle.begin(), triangle.end());
           }
-          std::sort(cells.begin(), cells.end());
-          cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+          sortUnique(cells);
           locations[v] = surface.closest(cells.data(), cells.data() + cells.size(), positions[v]);
         }
       });

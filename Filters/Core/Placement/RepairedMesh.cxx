@@ -1,6 +1,7 @@
 #include "Placement/RepairedMesh.h"
 
 #include "Placement/TriangleShape.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <numeric>
@@ -53,8 +54,7 @@ std::vector<Index> RepairedMesh::neighbours(Index vertex) const
     std::copy_if(m_triangles[t].begin(), m_triangles[t].end(), std::back_inserter(around),
       [vertex](Index other) { return other != vertex; });
   }
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
+  sortUnique(around);
   return around;
 }
 

@@ -1,6 +1,7 @@
 #include "Placement/Retreat.h"
 
 #include "Placement/TriangleShape.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 
@@ -9,12 +10,6 @@ namespace remesh
 namespace
 {
 constexpr int mostRings = 4;
-
-void makeUnique(std::vector<Index>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 
 /** The triangles with a vertex among these, ascending. */
 std::vector<Index> trianglesAround(const std::vector<Index>& vertices, const VertexStars& stars)
@@ -25,7 +20,7 @@ std::vector<Index> trianglesAround(const std::vector<Index>& vertices, const Ver
     triangles.insert(triangles.end(), stars.triangles.begin() + stars.begin(vertex),
       stars.triangles.begin() + stars.end(vertex));
   }
-  makeUnique(triangles);
+  sortUnique(triangles);
   return triangles;
 }
 }
@@ -64,7 +59,7 @@ Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
       {
         region.insert(region.end(), problem.triangles[t].begin(), problem.triangles[t].end());
       }
-      makeUnique(region);
+      sortUnique(region);
     }
   }
   return moved;

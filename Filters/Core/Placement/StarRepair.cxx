@@ -1,5 +1,7 @@
 #include "Placement/StarRepair.h"
 
+#include "Support/SortUnique.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -142,8 +144,7 @@ std::vector<Index> verticesAround(Index triangle, Effort effort, const RepairedM
       vertices.insert(vertices.end(), around.begin(), around.end());
     }
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sortUnique(vertices);
   return vertices;
 }
 

@@ -2,6 +2,7 @@
 
 #include "Mesh/FacetGeometry.h"
 #include "Placement/TriangleShape.h"
+#include "Support/SortUnique.h"
 
 #include <Eigen/Dense>
 
@@ -18,12 +19,6 @@ constexpr double leastArea = 0.05; // of the mean
 constexpr double damping = 1e-3;   // of the gradients' squares
 constexpr double mostError = 1.5;  // of the error before
 constexpr double noError = 1e-6;   // as if the triangles were a thousandth of their size away
-
-void sortUnique(std::vector<Index>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 
 /** The vertices that may move, and the triangles that change with them. */
 class Patch
