@@ -101,8 +101,8 @@ public:
    *   of that of CENTROID.
    *
    * Points where a triangle would face against the surface are put elsewhere in all cases, first
-   * one by one and then together with those around, and only where that does not help, edges are
-   * turned over: these triangles are not the dual of the cells. See the field array
+   * one by one and then together with those around, then nearer to the centroids, and only where
+   * that does not help, edges are turned over: these triangles are not the dual of the cells. See the field array
    * `NumberOfFlippedTriangles` for what is left.
    */
   vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);
@@ -173,7 +173,7 @@ public:
   ///@{
   /**
    * Facts about the last execution: dimension of the embedding, steps of the optimiser, restricted
-   * Voronoi diagrams computed, CVT energy reached. 0 before the first.
+   * Voronoi diagrams computed (of the whole surface), CVT energy reached. 0 before the first.
    */
   int GetDimension() const;
   int GetNumberOfIterations() const;

@@ -181,6 +181,10 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     if (reorder)
     {
       order = orderInSpace(result.sites, control);
+      if (control.cancelled())
+      {
+        return Status::cancelled();
+      }
       result.sites = inOrder(result.sites, order);
     }
     RestrictedVoronoi voronoi(surface);

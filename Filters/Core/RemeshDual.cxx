@@ -9,6 +9,7 @@
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace remesh
 {
@@ -118,7 +119,7 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       return status;
     }
     result.seconds.diagram += watch.lap();
-    Sites earlier = mayRepair ? result.sites : Sites{};
+    Sites earlier = mayRepair && !repair.othersStay ? result.sites : Sites{};
     const Index moved =
       mayRepair && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
     result.seconds.repair += watch.lap();
@@ -138,7 +139,7 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
         return status;
       }
     }
-    else if (repair.settled.count() == 0)
+    else if (leavesUnsettled(repair) && repair.settled.count() == 0)
     {
       repair.settled = std::move(earlier);
     }
@@ -176,7 +177,9 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
     keepState(result, repair);
     const std::vector<Index> staying = sitesAroundAdded(
       result.components, result.dual, result.sites.count(), repair.counts.addedSites);
-    const SiteChanges none = compareSites(repair.best.sites, result.sites);
+    SiteChanges none;
+    none.later.resize(static_cast<std::size_t>(result.sites.count()));
+    std::iota(none.later.begin(), none.later.end(), 0);
     Status status = settle(task, repair.best.sites, none, places, control, result);
     if (status.ok())
     {

@@ -27,7 +27,8 @@ constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 
 void keepState(const RemeshResult& result, Repair& repair)
 {
-  repair.best = { result.sites, result.stations, result.featureSites, repair.counts };
+  repair.best = { result.sites, result.stations, result.featureSites, repair.settled,
+    repair.counts };
 }
 
 void restoreState(Repair& repair, RemeshResult& result)
@@ -35,6 +36,7 @@ void restoreState(Repair& repair, RemeshResult& result)
   result.sites = repair.best.sites;
   result.stations = repair.best.stations;
   result.featureSites = repair.best.featureSites;
+  repair.settled = repair.best.settled;
   repair.counts = repair.best.counts;
 }
 
@@ -157,7 +159,7 @@ std::vector<Index> flippedTriangles(
   const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
   std::vector<Triple> triangles = result.dual.triangles;
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
-    result.components, result.dual.triangles, fixed };
+    result.components, result.dual.triangles, fixed, &result.seams.segments };
   const NearbySurface surface(problem);
   FlipRepair repair;
   std::vector<Index> flipped;
@@ -182,7 +184,7 @@ bool helpsNoMore(const Repair& repair)
 /** Sites for where triangles are flipped; others are taken away. */
 Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
-  std::vector<Index> flipped = flippedTriangles(task, FlipSteps::Move, control, result);
+  const std::vector<Index> flipped = flippedTriangles(task, FlipSteps::Move, control, result);
   repair.counts.flips = static_cast<Offset>(flipped.size());
   if (repair.flipRounds == 0 && !result.topology.certificate.holds())
   {
@@ -201,11 +203,9 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
     return 0;
   }
   const double few = fewFlips * static_cast<double>(result.dual.triangles.size());
-  if (!flipped.empty() && static_cast<double>(repair.counts.flips) <= few)
-  {
-    flipped = flippedTriangles(task, FlipSteps::MoveAndTurn, control, result);
-  }
-  if (flipped.empty())
+  const bool turnsMend = static_cast<double>(repair.counts.flips) <= few &&
+    flippedTriangles(task, FlipSteps::MoveAndTurn, control, result).empty();
+  if (flipped.empty() || turnsMend)
   {
     return 0;
   }
@@ -228,10 +228,7 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
     ? 0
     : revise(std::move(refinement), failures, wanted, task, repair, result);
 }
-}
 
-namespace
-{
 /** Curves where cells reach them; the number of vertices is brought to what it shall be at once. */
 Index repairCurves(
   const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
@@ -289,10 +286,14 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   return repairFlips(task, control, repair, result);
 }
 
-bool othersMustStay(const Repair& repair)
+bool leavesUnsettled(const Repair& repair)
 {
   return repair.othersStay || repair.adjustments > settledAdjustments ||
-    repair.stage != RepairStage::Refine || repair.rounds > settledRepairs ||
-    repair.flipRounds > 0 || repair.refinements > settledRefinements;
+    repair.stage != RepairStage::Refine || repair.rounds > settledRepairs || repair.flipRounds > 0;
+}
+
+bool othersMustStay(const Repair& repair)
+{
+  return leavesUnsettled(repair) || repair.refinements > settledRefinements;
 }
 }

@@ -27,6 +27,7 @@ struct SiteState
   Sites sites;
   Stations stations;
   FeatureSites featureSites;
+  Sites settled;
   RepairCounts counts;
 };
 
@@ -73,8 +74,8 @@ void restoreState(Repair& repair, RemeshResult& result);
 Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
 
 /**
- * The flipped triangles of the cells' centroids that these steps do not turn back. Those without a
- * height are not among them: turned edges mend them.
+ * The flipped triangles of the cells' centroids that these steps do not turn back: the dual's where
+ * no edges turn. Those without a height are not among them: turned edges mend them.
  */
 std::vector<Index> flippedTriangles(
   const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result);
@@ -90,6 +91,9 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
 
 /** Whether the last sites touched are to be the only ones that change. */
 bool othersMustStay(const Repair& repair);
+
+/** Whether those around them are to be settled in the end instead. */
+bool leavesUnsettled(const Repair& repair);
 }
 
 #endif

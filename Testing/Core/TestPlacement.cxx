@@ -260,11 +260,11 @@ void testRetreat()
   }
   const std::vector<Point3> start = positions;
   positions[triangle[0]] =
-    2.0 * (positions[triangle[1]] + positions[triangle[2]]) / 2.0 - positions[triangle[0]];
+    positions[triangle[1]] + positions[triangle[2]] - positions[triangle[0]];
   std::vector<Index> flipped;
   CHECK(findFlipped(surface, result.dual.triangles, positions, RunControl(), flipped).ok());
   CHECK(!flipped.empty());
-  const Offset moved = retreat(problem, surface, others, flipped, positions);
+  const Offset moved = retreat(problem, surface, others, flipped, RunControl(), positions);
   CHECK(moved >= 3);
   CHECK(moved < 10);
   Offset differ = 0;
@@ -280,7 +280,7 @@ void testRetreat()
   std::vector<Point3> bad = others;
   bad[triangle[0]] = -bad[triangle[0]];
   positions = bad;
-  CHECK_EQUAL(retreat(problem, surface, bad, { 77 }, positions), 0);
+  CHECK_EQUAL(retreat(problem, surface, bad, { 77 }, RunControl(), positions), 0);
   CHECK(positions == bad);
 }
 }

@@ -345,6 +345,44 @@ void testTooFew()
   CHECK_EQUAL(messages.warnings().size(), std::size_t(1));
   CHECK_EQUAL(eulerCharacteristicOf(filter->GetOutput()), 0);
 }
+
+/** The ridge of a roof, bent from point to point. */
+vtkSmartPointer<vtkPolyData> roof(const std::function<double(int)>& bend)
+{
+  constexpr int n = 60;
+  TriangleSoup soup = gridPatch(n, n);
+  for (std::size_t k = 0; k < soup.points.size(); ++k)
+  {
+    Point3& p = soup.points[k];
+    p[2] = -std::abs(p[0] - 0.5);
+    p[0] += p[2] == 0.0 ? bend(static_cast<int>(k) / (n + 1)) : 0.0;
+  }
+  return polyDataOf(soup);
+}
+
+/**
+ * A ridge that zigzags is followed as finely as the mesh is, and no finer: points as dense as its
+ * own would be at the tips of thin triangles. One that winds slowly keeps its bends.
+ */
+void testZigzag()
+{
+  const auto pointsOnRidge = [](vtkPolyData* mesh)
+  {
+    int count = 0;
+    for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+    {
+      count += pointOf(mesh, k)[2] > -1e-9;
+    }
+    return count;
+  };
+  const int zigzag =
+    pointsOnRidge(remesh(roof([](int j) { return j % 2 ? 3e-3 : -3e-3; }), 300)->GetOutput());
+  CHECK(zigzag > 10);
+  CHECK(zigzag < 32);
+  const int winding = pointsOnRidge(
+    remesh(roof([](int j) { return 6e-3 * std::sin(0.3 * j); }), 300)->GetOutput());
+  CHECK(winding > 50);
+}
 }
 
 int TestFeatures(int, char*[])
@@ -359,5 +397,6 @@ int TestFeatures(int, char*[])
   testNoise();
   testOff();
   testTooFew();
+  testZigzag();
   return result();
 }

@@ -10,7 +10,6 @@ namespace remesh
 namespace
 {
 constexpr double leastGap = 0.02; // of a section, between its ends and a new place
-
 }
 
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,

@@ -344,8 +344,14 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   }
   else if (surplus > 0)
   {
-    const std::vector<char> distances =
+    std::vector<char> distances =
       distancesToFailures(components, dual, failures, sites.count() - addedBefore);
+    sortUnique(removed);
+    for (Index k = 0; k < components.count(); ++k) // those that go already are no donors
+    {
+      const bool goes = std::binary_search(removed.begin(), removed.end(), components.sites[k]);
+      distances[k] = goes ? 0 : distances[k];
+    }
     const std::vector<Index> donors =
       findDonors(components, distances, sums, sites.fixed, static_cast<std::size_t>(surplus));
     const std::size_t missing = static_cast<std::size_t>(surplus) - donors.size();

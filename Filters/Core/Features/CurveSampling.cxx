@@ -23,12 +23,40 @@ constexpr int mostGrowths = 20;
 constexpr int balancingSteps = 10;
 constexpr double hexagonal = 0.86602540378443864676; // area per point over spacing squared
 
+constexpr double roughError = 0.2;       // of the spacing, of creases that zigzag
+constexpr double leastTurning = 1.0;     // radians in all, of a curve that may zigzag
+constexpr double roughShare = 0.6;       // of its turning that is left between neighbouring turns
+
 /** One curve as the sampler sees it. */
 struct Course
 {
   std::vector<Point3> points;  ///< m + 1
   std::vector<double> lengths; ///< m + 1, embedded
+  bool isRough = false;        ///< a crease that zigzags
 };
+
+/**
+ * Whether a curve turns to and fro, as creases do that follow the edges of a scan: turns in opposite
+ * directions next to each other cancel, which those of an arc or a corner do not.
+ */
+bool zigzags(const std::vector<Point3>& points)
+{
+  double turning = 0.0;
+  double inPairs = 0.0;
+  Point3 last = Point3::Zero();
+  for (std::size_t k = 1; k + 1 < points.size(); ++k)
+  {
+    const Point3 in = points[k] - points[k - 1];
+    const Point3 out = points[k + 1] - points[k];
+    const Point3 axis = in.cross(out);
+    const double angle = std::atan2(axis.norm(), in.dot(out));
+    const Point3 turn = angle * axis.stableNormalized();
+    turning += angle;
+    inPairs += k > 1 ? 0.5 * (turn + last).norm() : 0.0;
+    last = turn;
+  }
+  return turning > leastTurning && inPairs < roughShare * turning;
+}
 
 double squaredDistanceToChord(const Point3& p, const Point3& a, const Point3& b)
 {
@@ -182,13 +210,15 @@ std::vector<Index> leastPieces(const Features& features)
   return least;
 }
 
-Stations sampleWith(
-  const std::vector<Course>& courses, const std::vector<Index>& least, double error, double spacing)
+/** @param roughError of chords of creases that zigzag, if it is larger. */
+Stations sampleWith(const std::vector<Course>& courses, const std::vector<Index>& least,
+  double error, double roughError, double spacing)
 {
   Stations stations(courses.size());
   for (std::size_t c = 0; c < courses.size(); ++c)
   {
-    stations[c] = divide(courses[c], breakEvenly(courses[c], error), spacing, least[c]);
+    const double own = courses[c].isRough ? std::max(error, roughError) : error;
+    stations[c] = divide(courses[c], breakEvenly(courses[c], own), spacing, least[c]);
   }
   return stations;
 }
@@ -290,6 +320,8 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
       courses[c].points.push_back(mesh.points[point]);
     }
     courses[c].lengths = measureCurve(mesh, surface, features, static_cast<Index>(c));
+    courses[c].isRough =
+      features.curves[c].kind == FeatureKind::Crease && zigzags(courses[c].points);
   }
   const std::vector<Index> least = leastPieces(features);
   const auto n = static_cast<double>(numberOfPoints);
@@ -302,9 +334,10 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   double spacing = std::max(std::sqrt(surface.siteMeasure / (hexagonal * n)), length / n);
   double error = std::min(mostError, finestError * boundingBoxDiagonal(mesh));
   double coarsest = std::max(error, coarsestError * spacing * surface.unit);
+  const double rough = std::min(roughError * spacing * surface.unit, mostError);
   const auto countWith = [&](Stations& stations)
   {
-    stations = sampleWith(courses, least, error, spacing);
+    stations = sampleWith(courses, least, error, rough, spacing);
     return static_cast<double>(countFeaturePoints(features, stations));
   };
   Stations stations;
@@ -314,7 +347,7 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const auto countBends = [&]()
   {
     return static_cast<double>(countFeaturePoints(
-      features, sampleWith(courses, least, error, std::numeric_limits<double>::infinity())));
+      features, sampleWith(courses, least, error, rough, std::numeric_limits<double>::infinity())));
   };
   while (count > fineShare * n && error < fine)
   {
@@ -328,7 +361,7 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     count = countWith(stations);
   }
   needed = countFeaturePoints(
-    features, sampleWith(courses, least, coarsest, std::numeric_limits<double>::infinity()));
+    features, sampleWith(courses, least, coarsest, rough, std::numeric_limits<double>::infinity()));
   for (int k = 0; k < mostGrowths && count > largestShare * n; ++k)
   {
     spacing *= growth;

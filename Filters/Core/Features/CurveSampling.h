@@ -60,6 +60,8 @@ Station stationAtRadius(
  *    of the points' spacing, until two fifths do for the bends: the rest of the surface needs its
  *    points, too.
  *    No distance is above `mostError`: then the curves take more points, if they must.
+ *    Creases that zigzag, as on scans, say little by their bends: their distance is a fifth of the
+ *    points' spacing from the beginning.
  * 2. Chords longer than the spacing that `numberOfPoints` give are divided evenly. Where the curves
  *    would take more than three fifths of the points, distance and spacing grow along them.
  * 3. A closed curve has three places at least; no two curves share both ends without a place

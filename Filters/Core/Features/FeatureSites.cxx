@@ -199,7 +199,7 @@ void shake(const EmbeddedSurface& surface, Sites& sites)
     {
       std::uint64_t bits = 0;
       std::memcpy(&bits, sites.site(i) + k, sizeof(bits));
-      place = 31 * place + bits;
+      place = mixBits(place ^ bits);
     }
     for (int k = 0; k < surface.callerDimension; ++k)
     {

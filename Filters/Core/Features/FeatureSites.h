@@ -70,8 +70,8 @@ struct FeatureSites
  * within its patch, where normals do not count). O(V + F).
  *
  * In the embedding the copies are off their places by up to 1e-8 of the square root of the
- * surface's measure (a millionth of the spacing of 10 000 sites), in a random direction that depends
- * on the place alone: evenly spaced sites on a regular surface would meet at exactly one point in
+ * surface's measure (a millionth of the spacing of 10 000 sites), at random but for the same place
+ * always alike: evenly spaced sites on a regular surface would meet at exactly one point in
  * fours, with pieces of no area.
  */
 FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,

@@ -1,6 +1,7 @@
 #include "Optimization/LocalRelaxation.h"
 
 #include "Optimization/Lloyd.h"
+#include "Voronoi/NeighborSearch.h"
 
 #include <algorithm>
 #include <numeric>
@@ -47,10 +48,16 @@ Neighborhood findNeighborhood(
   const NeighborSearch search(sites);
   const auto count = static_cast<std::size_t>(sites.count());
   Neighborhood result{ std::vector<char>(count, 0), std::vector<char>(count, 0) };
+  std::vector<char> isDone(count, 0);
   std::vector<Neighbor> found;
   for (std::size_t k = 0; k < places.size(); k += static_cast<std::size_t>(sites.dimension))
   {
     const Index nearest = search.nearest(&places[k]);
+    if (isDone[nearest])
+    {
+      continue;
+    }
+    isDone[nearest] = 1;
     search.neighbors(nearest, covering, surface.patchLimit(), found);
     found.insert(found.begin(), { nearest, 0.0 });
     for (std::size_t n = 0; n < found.size(); ++n)
@@ -163,6 +170,14 @@ SitesInPart sitesOn(const std::vector<Index>& facets, const Diagram& diagram,
         (moves ? movers : result.ids).push_back(id);
       }
       seen[site] = 1;
+    }
+  }
+  for (std::size_t site = 0; site < seen.size(); ++site) // those without a cell get one
+  {
+    const Index id = changes.later[site];
+    if (around.covers[site] && !seen[site] && id != noIndex && id >= later.fixed)
+    {
+      movers.push_back(id);
     }
   }
   for (const Index id : changes.added)

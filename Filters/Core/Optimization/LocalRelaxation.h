@@ -1,6 +1,6 @@
 /**
  * @file LocalRelaxation.h
- * @brief Lloyd's steps for the sites around a few places, at a cost that goes with their number.
+ * @brief Lloyd's steps for the sites around a few places, on the part of the surface there.
  */
 #ifndef remesh_LocalRelaxation_h
 #define remesh_LocalRelaxation_h
@@ -13,7 +13,7 @@
 
 namespace remesh
 {
-/** What became of the sites of one state in another, by their coordinates, bit for bit. */
+/** What became of the sites of one state in another: those with equal coordinates are the same. */
 struct SiteChanges
 {
   std::vector<Index> later;   ///< n, of each earlier site; noIndex for one that is gone

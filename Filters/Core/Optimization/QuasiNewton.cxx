@@ -138,7 +138,8 @@ void stayNear(const CellSums& sums, int dimension, std::vector<double>& directio
   for (std::size_t i = 0; i < sums.mass.size(); ++i)
   {
     Eigen::Map<Eigen::VectorXd> step(direction.data() + i * d, dimension);
-    const double most = longestStep * std::sqrt(sums.energy[i] / sums.mass[i]);
+    const double most =
+      sums.mass[i] > 0.0 ? longestStep * std::sqrt(sums.energy[i] / sums.mass[i]) : 0.0;
     if (const double length = step.norm(); length > most)
     {
       step *= most / length;

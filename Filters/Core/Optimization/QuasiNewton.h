@@ -6,7 +6,8 @@
  * (Y. Liu et al., "On Centroidal Voronoi Tessellation: Energy Smoothness and Fast Computation",
  * 2009). Two-loop recursion of J. Nocedal (1980) with diag(2 m_i), scaled to the last step's
  * curvature, as initial Hessian: the first step is Lloyd's. A backtracking line search keeps the
- * energy falling; the unit step is nearly always taken. Positions and gradients are doubles, the
+ * energy falling; the unit step is nearly always taken. No site goes farther in it than twice the
+ * root mean square radius of its cell. Positions and gradients are doubles, the
  * history is held in two bytes a number (measured: floats end with the same energy to 1e-5).
  */
 #ifndef remesh_QuasiNewton_h

@@ -94,7 +94,7 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
  * Turns flipped triangles back: by moving vertices, then with the places that vertices come to from
  * the centroids, and at last by turned edges.
  */
-Status turnBack(const PlacementProblem& problem, const NearbySurface& surface,
+Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Point3>& onSurface, const std::vector<Point3>& start,
   const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
 {
@@ -114,7 +114,7 @@ Status turnBack(const PlacementProblem& problem, const NearbySurface& surface,
   {
     std::vector<Index> flipped;
     status = findFlipped(surface, triangles, placement.positions, control, flipped);
-    moved += status.ok() ? retreat(problem, surface, fromCentroids, flipped, placement.positions)
+    moved += status.ok() ? retreat(problem, surface, fromCentroids, flipped, control, placement.positions)
                          : Offset(0);
   }
   if (status.ok())
@@ -154,7 +154,7 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
   }
   const NearbySurface surface(problem, leastHeight(problem.mesh));
   status =
-    turnBack(problem, surface, onSurface, start, control.step(1, 2), triangles, placement);
+    mendFlips(problem, surface, onSurface, start, control.step(1, 2), triangles, placement);
   if (!status.ok())
   {
     return status;

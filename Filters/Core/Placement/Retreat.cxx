@@ -26,7 +26,7 @@ std::vector<Index> trianglesAround(const std::vector<Index>& vertices, const Ver
 }
 
 Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& others, const std::vector<Index>& flipped,
+  const std::vector<Point3>& others, const std::vector<Index>& flipped, const RunControl& control,
   std::vector<Point3>& positions)
 {
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
@@ -35,6 +35,10 @@ Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
   Offset moved = 0;
   for (const Index triangle : flipped)
   {
+    if (control.cancelled())
+    {
+      break;
+    }
     const Triple& corners = problem.triangles[triangle];
     std::vector<Index> region(corners.begin(), corners.end());
     for (int ring = 0; ring <= mostRings && isFlipped(triangle); ++ring)

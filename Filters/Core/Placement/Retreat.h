@@ -7,6 +7,7 @@
 
 #include "Placement/NearbySurface.h"
 #include "Placement/PlacementProblem.h"
+#include "Support/RunControl.h"
 
 namespace remesh
 {
@@ -17,12 +18,13 @@ namespace remesh
  *
  * @param others K, places that flip fewer triangles.
  * @param flipped ascending.
+ * @param control when it cancels, some have not moved.
  * @param positions K; changed.
  * @return the vertices moved.
  * Cost: O(K + T), and some hundred triangles are judged for each that is flipped.
  */
 Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& others, const std::vector<Index>& flipped,
+  const std::vector<Point3>& others, const std::vector<Index>& flipped, const RunControl& control,
   std::vector<Point3>& positions);
 }
 

@@ -29,6 +29,8 @@ constexpr double mostWorn = 0.02;
 /** At most so many sites, and at most one of so many, move by more than the usual. */
 constexpr Offset mostLeapers = 32;
 constexpr Offset sitesForLeaper = 256;
+/** Beside one that came from farther away, in mean reaches of lists, walks would go too far. */
+constexpr double farthestLeap = 4.0;
 /** Covers the rounding of the distances that the displacements are compared with. */
 constexpr double aboveRounding = 1.0 + 1e-12;
 
@@ -36,6 +38,12 @@ float roundedDown(double value)
 {
   const auto rounded = static_cast<float>(value);
   return rounded > value ? std::nextafter(rounded, 0.0F) : rounded;
+}
+
+/** Below all that round to the same float: as such they are put in order. */
+float below(double value)
+{
+  return std::nextafter(static_cast<float>(value), 0.0F);
 }
 
 Blocks blocksOf(const Sites& sites)
@@ -83,6 +91,18 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
   {
     return status;
   }
+  if (!this->worn())
+  {
+    return Status::success();
+  }
+  if (m_largestDisplacement > farthestLeap * this->meanReach())
+  {
+    return this->build(sites, control);
+  }
+  if (!this->findLeapers(sites, control.silent()))
+  {
+    return Status::cancelled();
+  }
   return this->worn() ? this->build(sites, control) : Status::success();
 }
 
@@ -100,6 +120,8 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
       }
     });
   m_largestDisplacement = *std::max_element(m_displacements.begin(), m_displacements.end());
+  m_usualDisplacement = m_largestDisplacement;
+  std::fill(m_leapers.begin(), m_leapers.end(), std::numeric_limits<float>::infinity());
   const bool compared = measured &&
     forEachRange(blocksOf(sites), control,
       [&](Offset begin, Offset end)
@@ -115,7 +137,7 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
           m_approaches[k] = m_displacements[k] + largest;
         }
       });
-  return compared && this->findLeapers(sites, control) ? Status::success() : Status::cancelled();
+  return compared ? Status::success() : Status::cancelled();
 }
 
 bool NeighborLists::findLeapers(const Sites& sites, const RunControl& control)
@@ -146,6 +168,19 @@ bool NeighborLists::findLeapers(const Sites& sites, const RunControl& control)
         m_leapers[k] = roundedDown(std::sqrt(nearest) / aboveRounding);
       }
     });
+}
+
+double NeighborLists::meanReach() const
+{
+  double sum = 0.0;
+  Offset count = 0;
+  for (const Place& place : m_places)
+  {
+    const bool endsEarly = place.count < m_length; // it holds all of a patch
+    sum += endsEarly ? 0.0 : static_cast<double>(place.reach);
+    count += endsEarly ? 0 : 1;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 bool NeighborLists::worn() const
@@ -184,14 +219,14 @@ void NeighborLists::buildList(Index site, const Place& like, std::vector<Neighbo
   {
     orderByDistance(found);
   }
-  place.reach = roundedDown(found.size() > length ? found[length].distance : radius);
+  place.reach = found.size() > length ? below(found[length].distance) : roundedDown(radius);
   place.count = static_cast<Index>(std::min(length, found.size()));
   double near = 0.0;
   const std::size_t first = static_cast<std::size_t>(site) * length;
   for (Index k = 0; k < place.count; ++k)
   {
     m_ids[first + k] = found[k].site;
-    m_distances[first + k] = roundedDown(found[k].distance);
+    m_distances[first + k] = below(found[k].distance);
     near += k < nearNeighbors ? found[k].distance : 0.0;
   }
   place.needed = static_cast<float>(leastReach / nearNeighbors * near);

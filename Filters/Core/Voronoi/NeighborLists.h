@@ -31,7 +31,7 @@ namespace remesh
 struct NeighborList
 {
   const Index* sites;
-  const float* distances; ///< increasing; rounded down
+  const float* distances; ///< increasing; rounded down, and never above
   Index count;
 };
 
@@ -102,6 +102,7 @@ private:
 
   Status measureDisplacements(const Sites& sites, const RunControl& control);
   bool findLeapers(const Sites& sites, const RunControl& control);
+  double meanReach() const;
   bool worn() const;
   void buildList(Index site, const Place& like, std::vector<Neighbor>& found);
 
