@@ -92,7 +92,7 @@ struct RemeshResult
   std::optional<TwoSidedDistance> distance; ///< of mesh and surface, where it was measured
   Index emptyCells = 0;                     ///< of sites that are not on features
   Index movedSites = 0;                     ///< in repairs; `convergence` ends before them
-  int evaluations = 0; ///< diagrams of the whole surface
+  int evaluations = 0;                      ///< diagrams of the whole surface
 
   struct Seconds
   {

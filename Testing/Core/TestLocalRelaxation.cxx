@@ -30,7 +30,7 @@ void testChanges()
   const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(2)), 6);
   Sites earlier = test::sampled(surface, 50, 1);
   append(earlier, 7, 0.0); // two at one place
-  CHECK(compareSites(earlier, earlier).empty());
+  CHECK(compareSites(earlier, earlier).places.empty());
   CHECK_EQUAL(compareSites(earlier, earlier).later[7], 7);
   CHECK_EQUAL(compareSites(earlier, earlier).later[50], 50);
 
@@ -92,6 +92,24 @@ void testOneStep()
   }
 }
 
+/** A free site without a cell, for another is at its place, gets one. */
+void testEmptyCell()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(3)), 6);
+  Sites earlier = test::sampled(surface, 300, 4);
+  append(earlier, 150, 0.0);
+  CellSums sums;
+  Diagram diagram;
+  CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
+  CHECK_EQUAL(sums.countEmpty(), 1);
+  Sites later = earlier;
+  const std::vector<double> places(earlier.site(150), earlier.site(150) + 6);
+  CHECK(relaxAround(surface, diagram, earlier, compareSites(earlier, later), places, 2, 1,
+    RunControl(), later)
+          .ok());
+  CHECK_EQUAL(test::computed(surface, later).sums.countEmpty(), 0);
+}
+
 /** Where all sites around are fixed there is nothing to do. */
 void testNothingToMove()
 {
@@ -116,6 +134,7 @@ int TestLocalRelaxation(int, char*[])
 {
   testChanges();
   testOneStep();
+  testEmptyCell();
   testNothingToMove();
   return test::result();
 }

@@ -10,7 +10,7 @@ namespace remesh
 {
 namespace
 {
-constexpr Index moving = 24;  // sites nearest to a place that move, about two rings
+constexpr Index moving = 24;   // sites nearest to a place that move, about two rings
 constexpr Index covering = 60; // that see their part of the surface, about four rings
 
 /** -1, 0, 1 as the row of one site is before, like or after that of another. */

@@ -19,8 +19,6 @@ struct SiteChanges
   std::vector<Index> later;   ///< n, of each earlier site; noIndex for one that is gone
   std::vector<Index> added;   ///< later sites that were not there, ascending
   std::vector<double> places; ///< m x d, of those that are gone and of those that were added
-
-  bool empty() const { return this->places.empty(); }
 };
 
 /** O(n log n). */

@@ -13,8 +13,8 @@ namespace remesh
 {
 /**
  * Whether sites that follow one another are, in the mean, far apart: more than a tenth of the
- * diagonal of all. Sites drawn from a surface are not; results are the same either way, but slower
- * to come by. O(n d).
+ * diagonal of all. Sites drawn from a surface are not; in any order, a run ends with the same
+ * sites but for rounding, only later. O(n d).
  */
 bool areScattered(const Sites& sites);
 

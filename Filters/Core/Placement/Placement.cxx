@@ -114,8 +114,11 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   {
     std::vector<Index> flipped;
     status = findFlipped(surface, triangles, placement.positions, control, flipped);
-    moved += status.ok() ? retreat(problem, surface, fromCentroids, flipped, control, placement.positions)
-                         : Offset(0);
+    if (status.ok())
+    {
+      moved +=
+        retreat(problem, surface, fromCentroids, flipped, control, placement.positions);
+    }
   }
   if (status.ok())
   {

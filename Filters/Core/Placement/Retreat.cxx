@@ -9,7 +9,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRings = 4;
+constexpr int mostRings = 4; // farther ones cost more accuracy, and turned no more back
 
 /** The triangles with a vertex among these, ascending. */
 std::vector<Index> trianglesAround(const std::vector<Index>& vertices, const VertexStars& stars)

@@ -20,7 +20,7 @@ namespace remesh
  * @param flipped ascending.
  * @param control when it cancels, some have not moved.
  * @param positions K; changed.
- * @return the vertices moved.
+ * @return the vertices given other places, again for each triangle.
  * Cost: O(K + T), and some hundred triangles are judged for each that is flipped.
  */
 Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
