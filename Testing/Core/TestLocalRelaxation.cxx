@@ -92,7 +92,7 @@ void testOneStep()
   }
 }
 
-/** A free site without a cell, for another is at its place, gets one. */
+/** A free site without a cell, for another is at its place, takes part: it moves, and gets one. */
 void testEmptyCell()
 {
   const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(3)), 6);
@@ -108,6 +108,8 @@ void testEmptyCell()
     RunControl(), later)
           .ok());
   CHECK_EQUAL(test::computed(surface, later).sums.countEmpty(), 0);
+  CHECK(sums.isEmpty(300));
+  CHECK(!std::equal(later.site(300), later.site(300) + 6, earlier.site(300)));
 }
 
 /** Where all sites around are fixed there is nothing to do. */
