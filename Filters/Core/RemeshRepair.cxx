@@ -161,13 +161,14 @@ std::vector<Index> flippedTriangles(
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   const NearbySurface surface(problem);
+  FlipSearch search(surface);
   FlipRepair repair;
   std::vector<Index> flipped;
   Status status = repairFlips(problem, surface, result.components.centroids,
-    result.components.centroids, steps, control, triangles, positions, repair);
+    result.components.centroids, steps, control, search, triangles, positions, repair);
   if (status.ok() && repair.flippedTriangles > 0)
   {
-    status = findFlipped(surface, triangles, positions, control, flipped);
+    status = search.find(triangles, positions, control, flipped);
   }
   return status.ok() ? flipped : std::vector<Index>();
 }
@@ -236,8 +237,8 @@ Index repairCurves(
   const Offset before = result.featureSites.numberOfPoints();
   Refinement refinement;
   const Index touched = refineCurves(task.mesh, task.surface, *task.features, result.seams,
-    result.sites, task.mostPointsOnFeatures(result.numberOfVertexSites()), control,
-    result.stations, result.featureSites, refinement.removed);
+    result.sites, task.mostPointsOnFeatures(result.numberOfVertexSites()), control, result.stations,
+    result.featureSites, refinement.removed);
   if (touched > 0)
   {
     const Offset joining = static_cast<Offset>(refinement.removed.size());

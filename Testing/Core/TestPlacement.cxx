@@ -262,7 +262,7 @@ void testRetreat()
   positions[triangle[0]] =
     positions[triangle[1]] + positions[triangle[2]] - positions[triangle[0]];
   std::vector<Index> flipped;
-  CHECK(findFlipped(surface, result.dual.triangles, positions, RunControl(), flipped).ok());
+  CHECK(FlipSearch(surface).find(result.dual.triangles, positions, RunControl(), flipped).ok());
   CHECK(!flipped.empty());
   const Offset moved = retreat(problem, surface, others, flipped, RunControl(), positions);
   CHECK(moved >= 3);
@@ -274,7 +274,7 @@ void testRetreat()
     CHECK(positions[v] == start[v] || positions[v] == others[v]);
   }
   CHECK_EQUAL(differ, moved);
-  CHECK(findFlipped(surface, result.dual.triangles, positions, RunControl(), flipped).ok());
+  CHECK(FlipSearch(surface).find(result.dual.triangles, positions, RunControl(), flipped).ok());
   CHECK(flipped.empty());
   // Where the other places are no better, all stays.
   std::vector<Point3> bad = others;

@@ -49,7 +49,7 @@ struct Fixture
   std::vector<Index> flipped(const std::vector<Point3>& positions) const
   {
     std::vector<Index> found;
-    CHECK(findFlipped(near, result.dual.triangles, positions, RunControl(), found).ok());
+    CHECK(FlipSearch(near).find(result.dual.triangles, positions, RunControl(), found).ok());
     return found;
   }
 };
@@ -111,10 +111,17 @@ void testTurnedBack()
         positions[v][k] += 1.6 * spacing * (uniform01(seed, v, k + 1) - 0.5);
       }
     }
+    FlipSearch search(fixture.near);
     FlipRepair repair;
     CHECK(repairFlips(fixture.problem, fixture.near, sound, sound, FlipSteps::MoveAndTurn,
-      RunControl(), triangles, positions, repair)
+      RunControl(), search, triangles, positions, repair)
             .ok());
+    std::vector<Index> left;
+    CHECK(search.find(triangles, positions, RunControl(), left).ok()); // judges what has changed
+    std::vector<Index> all;
+    CHECK(FlipSearch(fixture.near).find(triangles, positions, RunControl(), all).ok());
+    CHECK(left == all);
+    CHECK_EQUAL(static_cast<Offset>(all.size()), repair.flippedTriangles);
     RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {

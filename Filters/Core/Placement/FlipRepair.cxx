@@ -4,7 +4,6 @@
 #include "Placement/StarRepair.h"
 #include "Placement/TriangleShape.h"
 #include "Placement/Untangling.h"
-#include "Support/Parallel.h"
 
 #include <algorithm>
 #include <set>
@@ -82,36 +81,10 @@ struct Repaired
 };
 }
 
-Status findFlipped(const NearbySurface& surface, const std::vector<Triple>& triangles,
-  const std::vector<Point3>& positions, const RunControl& control, std::vector<Index>& flipped)
-{
-  std::vector<char> isFlipped(triangles.size());
-  if (!forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control.silent(),
-        [&](Offset begin, Offset end)
-        {
-          for (Offset t = begin; t < end; ++t)
-          {
-            isFlipped[t] = surface.isFlipped(triangles[t], cornersOf(triangles[t], positions));
-          }
-        }))
-  {
-    return Status::cancelled();
-  }
-  flipped.clear();
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (isFlipped[t])
-    {
-      flipped.push_back(static_cast<Index>(t));
-    }
-  }
-  return Status::success();
-}
-
 Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes, FlipSteps steps,
-  const RunControl& control, std::vector<Triple>& triangles, std::vector<Point3>& positions,
-  FlipRepair& repair)
+  const RunControl& control, FlipSearch& search, std::vector<Triple>& triangles,
+  std::vector<Point3>& positions, FlipRepair& repair)
 {
   repair = FlipRepair{};
   const std::vector<Triple> dual = triangles;
@@ -122,7 +95,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   std::vector<Index> flipped;
   for (int pass = 0;; ++pass)
   {
-    if (Status status = findFlipped(surface, triangles, positions, control, flipped); !status.ok())
+    if (Status status = search.find(triangles, positions, control, flipped); !status.ok())
     {
       return status;
     }

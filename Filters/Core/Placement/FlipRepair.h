@@ -5,7 +5,7 @@
 #ifndef remesh_FlipRepair_h
 #define remesh_FlipRepair_h
 
-#include "Placement/NearbySurface.h"
+#include "Placement/FlipSearch.h"
 #include "Placement/PlacementProblem.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
@@ -18,15 +18,6 @@ struct FlipRepair
   Offset movedVertices = 0;
   Offset flippedEdges = 0; ///< each changes two triangles of the dual
 };
-
-/**
- * The triangles whose normal makes more than 90 degrees with that of the closest facet, or that
- * have none (NearbySurface.h), ascending. Parallel.
- *
- * @return Cancelled; then `flipped` is of no use.
- */
-Status findFlipped(const NearbySurface& surface, const std::vector<Triple>& triangles,
-  const std::vector<Point3>& positions, const RunControl& control, std::vector<Index>& flipped);
 
 enum class FlipSteps
 {
@@ -54,13 +45,14 @@ enum class FlipSteps
  *
  * @param surfacePlaces K, the points of the surface closest to the centroids.
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
+ * @param search of the same mesh at other times, or a new one.
  * @param triangles T, of `problem.triangles`; changed by turned edges.
  * @param positions K; changed.
  */
 Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes, FlipSteps steps,
-  const RunControl& control, std::vector<Triple>& triangles, std::vector<Point3>& positions,
-  FlipRepair& repair);
+  const RunControl& control, FlipSearch& search, std::vector<Triple>& triangles,
+  std::vector<Point3>& positions, FlipRepair& repair);
 }
 
 #endif

@@ -95,35 +95,36 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
  * the centroids, and at last by turned edges.
  */
 Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& onSurface, const std::vector<Point3>& start,
-  const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
+  const std::vector<Point3>& onSurface, const std::vector<Point3>& start, const RunControl& control,
+  std::vector<Triple>& triangles, Placement& placement)
 {
+  FlipSearch search(surface);
   FlipRepair& repair = placement.repair;
-  Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control,
+  Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, search,
     triangles, placement.positions, repair);
   if (!status.ok() || repair.flippedTriangles == 0)
   {
     return status;
   }
   std::vector<Point3> fromCentroids = start;
+  FlipSearch otherSearch(surface);
   FlipRepair other;
-  status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, triangles,
-    fromCentroids, other);
+  status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, otherSearch,
+    triangles, fromCentroids, other);
   Offset moved = repair.movedVertices;
   if (status.ok() && other.flippedTriangles < repair.flippedTriangles)
   {
     std::vector<Index> flipped;
-    status = findFlipped(surface, triangles, placement.positions, control, flipped);
+    status = search.find(triangles, placement.positions, control, flipped);
     if (status.ok())
     {
-      moved +=
-        retreat(problem, surface, fromCentroids, flipped, control, placement.positions);
+      moved += retreat(problem, surface, fromCentroids, flipped, control, placement.positions);
     }
   }
   if (status.ok())
   {
     status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn, control,
-      triangles, placement.positions, repair);
+      search, triangles, placement.positions, repair);
     repair.movedVertices += moved;
   }
   return status;
@@ -156,8 +157,7 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
     placement.positions = onSurface;
   }
   const NearbySurface surface(problem, leastHeight(problem.mesh));
-  status =
-    mendFlips(problem, surface, onSurface, start, control.step(1, 2), triangles, placement);
+  status = mendFlips(problem, surface, onSurface, start, control.step(1, 2), triangles, placement);
   if (!status.ok())
   {
     return status;

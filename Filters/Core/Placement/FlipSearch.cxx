@@ -1,0 +1,49 @@
+#include "Placement/FlipSearch.h"
+
+#include "Placement/TriangleShape.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
+  const RunControl& control, std::vector<Index>& flipped)
+{
+  const bool first = m_triangles.empty();
+  m_isFlipped.resize(triangles.size());
+  const auto isKnown = [&](std::size_t t)
+  {
+    return !first && triangles[t] == m_triangles[t] &&
+      std::all_of(triangles[t].begin(), triangles[t].end(),
+        [&](Index v) { return positions[v] == m_positions[v]; });
+  };
+  if (!forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control.silent(),
+        [&](Offset begin, Offset end)
+        {
+          for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+          {
+            if (!isKnown(t))
+            {
+              m_isFlipped[t] =
+                m_surface.isFlipped(triangles[t], cornersOf(triangles[t], positions));
+            }
+          }
+        }))
+  {
+    m_triangles.clear(); // some of them are not judged
+    return Status::cancelled();
+  }
+  m_triangles = triangles;
+  m_positions = positions;
+  flipped.clear();
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (m_isFlipped[t])
+    {
+      flipped.push_back(static_cast<Index>(t));
+    }
+  }
+  return Status::success();
+}
+}

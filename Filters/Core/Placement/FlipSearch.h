@@ -1,0 +1,45 @@
+/**
+ * @file FlipSearch.h
+ * @brief Finds triangles that face against the surface, again and again while the mesh changes.
+ */
+#ifndef remesh_FlipSearch_h
+#define remesh_FlipSearch_h
+
+#include "Placement/NearbySurface.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+
+namespace remesh
+{
+/**
+ * Judges a triangle only if it is another than in the search before, or one of its corners has
+ * moved since: repairs touch few of them.
+ */
+class FlipSearch
+{
+public:
+  explicit FlipSearch(const NearbySurface& surface)
+    : m_surface(surface)
+  {
+  }
+
+  /**
+   * The triangles whose normal makes more than 90 degrees with that of the closest facet, or that
+   * have none (NearbySurface.h), ascending. Parallel. O(T), and O(pieces of its cells) for each
+   * that is judged.
+   *
+   * @param triangles T, as many in each search.
+   * @return Cancelled; then `flipped` is of no use.
+   */
+  Status find(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
+    const RunControl& control, std::vector<Index>& flipped);
+
+private:
+  const NearbySurface& m_surface;
+  std::vector<char> m_isFlipped;   ///< T, as of the last search; none before the first
+  std::vector<Triple> m_triangles; ///< of the last search
+  std::vector<Point3> m_positions; ///< likewise
+};
+}
+
+#endif
