@@ -1,10 +1,11 @@
 // Optimization/LocalRelaxation: what changed between sites, and steps that are Lloyd's around it.
 
-#include "Optimization/LocalRelaxation.h"
 #include "Optimization/Lloyd.h"
+#include "Optimization/LocalRelaxation.h"
 #include "TestDiagrams.h"
 
 #include <algorithm>
+#include <numeric>
 
 using namespace remesh;
 
@@ -104,12 +105,57 @@ void testEmptyCell()
   CHECK_EQUAL(sums.countEmpty(), 1);
   Sites later = earlier;
   const std::vector<double> places(earlier.site(150), earlier.site(150) + 6);
-  CHECK(relaxAround(surface, diagram, earlier, compareSites(earlier, later), places, 2, 1,
-    RunControl(), later)
+  CHECK(relaxAround(
+    surface, diagram, earlier, compareSites(earlier, later), places, 2, 1, RunControl(), later)
           .ok());
   CHECK_EQUAL(test::computed(surface, later).sums.countEmpty(), 0);
   CHECK(sums.isEmpty(300));
   CHECK(!std::equal(later.site(300), later.site(300) + 6, earlier.site(300)));
+}
+
+/** Corners that the caller lends are the same as held ones. */
+void testLentCorners()
+{
+  constexpr int d = manyDimensions;
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.4, 32, 16));
+  CornerCoordinates held;
+  held.dimension = d;
+  for (const Index point : mesh.cornerPoints)
+  {
+    for (int k = 0; k < d; ++k)
+    {
+      held.values.push_back(mesh.points[point][k % 3] * (1.0 + 0.01 * k));
+    }
+  }
+  const std::vector<double> rows = held.values;
+  CornerCoordinates lent;
+  lent.dimension = d;
+  lent.lent = { { rows.data(), nullptr, d, 1.0 } };
+  lent.rows.resize(mesh.cornerPoints.size());
+  std::iota(lent.rows.begin(), lent.rows.end(), Offset(0));
+
+  Sites moved[2];
+  for (const bool lends : { false, true })
+  {
+    EmbeddedSurface surface;
+    CHECK(embedSurface(mesh, lends ? lent : held, RunControl(), surface).ok());
+    CHECK_EQUAL(surface.source.isLent(), lends);
+    EmbeddedSurface holding;
+    CHECK(embedSurface(mesh, held, RunControl(), holding).ok());
+    const Sites earlier = test::sampled(holding, 200, 3);
+    CellSums sums;
+    Diagram diagram;
+    CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
+    Sites& later = moved[lends];
+    later = earlier;
+    erase(later, 70);
+    const Sites start = later;
+    const SiteChanges changes = compareSites(earlier, later);
+    CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 2, 1, RunControl(), later)
+            .ok());
+    CHECK(later.coordinates != start.coordinates);
+  }
+  CHECK(moved[0].coordinates == moved[1].coordinates);
 }
 
 /** Where all sites around are fixed there is nothing to do. */
@@ -137,6 +183,7 @@ int TestLocalRelaxation(int, char*[])
   testChanges();
   testOneStep();
   testEmptyCell();
+  testLentCorners();
   testNothingToMove();
   return test::result();
 }
