@@ -168,6 +168,7 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   request.gaussMap = self->EmbeddingMode == GAUSS_MAP;
   request.anisotropy = self->Anisotropy;
   request.normalSmoothingPasses = self->NormalSmoothingPasses;
+  request.smoothingRadius = self->NormalSmoothingRadius;
   request.mergeTolerance = self->MergeTolerance;
 
   // The active normals unless an array was chosen by name.
@@ -267,6 +268,7 @@ void vtkEmbeddedSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EmbeddingMode: " << this->EmbeddingMode << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
   os << indent << "NormalSmoothingPasses: " << this->NormalSmoothingPasses << "\n";
+  os << indent << "NormalSmoothingRadius: " << this->NormalSmoothingRadius << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CoordinateArrays: " << this->GetNumberOfCoordinateArrays() << "\n";
   for (const auto& [name, scale] : this->Internals->CoordinateArrays)

@@ -4,10 +4,10 @@
  *
  * Output: the input, geometry and arrays untouched, with one more point array `Embedding`
  * (double, d components, one tuple per input point): what vtkAnisotropicRemesher with the same
- * parameters works on. Coincident points have the same tuple; points that no polygon uses (or only
- * one that intake drops) have zeros after their position. Give the output to vtkAnisotropicRemesher
- * with `SetEmbeddingArray("Embedding")`, or change the array first to make an embedding of your
- * own.
+ * parameters works on (with the `NormalSmoothingRadius` that it took, if it took another).
+ * Coincident points have the same tuple; points that no polygon uses (or only one that intake
+ * drops) have zeros after their position. Give the output to vtkAnisotropicRemesher with
+ * `SetEmbeddingArray("Embedding")`, or change the array first to make an embedding of your own.
  *
  * Unusable input is an error, as for vtkAnisotropicRemesher, and the output is empty.
  */

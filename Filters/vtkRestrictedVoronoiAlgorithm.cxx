@@ -3,9 +3,8 @@
 #include "vtkEmbeddedSurfaceInternals.h"
 
 #include "Adaptors/DiagramOutput.h"
-#include "Adaptors/MemoryCheck.h"
+#include "Adaptors/NumberRun.h"
 #include "Adaptors/ProgressAdaptor.h"
-#include "Adaptors/SitesInput.h"
 #include "MeshDistance.h"
 
 #include "vtkCellData.h"
@@ -167,23 +166,6 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
   return remesh::Status::success();
 }
 
-/** The caller's sites, or a check that as many as are asked for can be held. */
-remesh::Status takeSites(vtkPointSet* sites, const remesh::PreparedSurface& prepared,
-  remesh::RemeshOptions& options, remesh::GivenSites& given)
-{
-  if (sites)
-  {
-    const remesh::Status status = remesh::readSites(sites, prepared, given);
-    options.initialSites = given.sites;
-    return status;
-  }
-  return options.numberOfSites <= remesh::maximumIndex
-    ? remesh::checkMemory(options.numberOfSites, prepared.surface.dimension,
-        remesh::historyWithin(
-          prepared.surface, options.numberOfSites, options.quasiNewton.historyLength))
-    : remesh::Status::success(); // the core has its own word for that
-}
-
 /** What a user should know of a result that is not as good as it could be. */
 std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
   const remesh::GivenSites& given, const remesh::RemeshOptions& options,
@@ -241,9 +223,10 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   facts = {};
   const remesh::RunControl control = remesh::makeRunControl(this);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  remesh::PreparedSurface prepared;
-  remesh::GivenSites given;
-  remesh::RemeshResult result;
+  remesh::NumberOutcome outcome;
+  remesh::PreparedSurface& prepared = outcome.prepared;
+  remesh::GivenSites& given = outcome.given;
+  remesh::RemeshResult& result = outcome.result;
   const remesh::DiagramSource source{ input, prepared, result, given.places, seed,
     control.silent() };
   const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
@@ -263,10 +246,9 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
     facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
     return status;
   };
-  const auto outcome = vtkInternals::Execute(this,
+  const auto ended = vtkInternals::Execute(this,
     [&]() -> remesh::Status
     {
-      const Clock::time_point start = Clock::now();
       remesh::PreparationRequest request;
       remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
       options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
@@ -278,25 +260,18 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       if (status.ok() && tolerance.tolerance > 0.0)
       {
         status = remesh::remeshWithin(
-          tolerance, input, request, options, control.part(0.0, 0.95), prepared, result);
+          tolerance, { input, nullptr, request }, options, control.part(0.0, 0.95), outcome);
+        facts.Seconds["intake"] = outcome.intakeSeconds;
         facts.Intake = prepared.intake;
         return status.ok() ? write() : status;
       }
       if (status.ok())
       {
-        status = remesh::prepareSurface(input, request, control.part(0.0, 0.1), prepared);
+        status = remesh::remeshWithNumber(
+          { input, sites, request }, options, control.part(0.0, 0.95), outcome);
+        facts.Seconds["intake"] = outcome.intakeSeconds;
       }
       facts.Intake = prepared.intake;
-      if (status.ok())
-      {
-        status = takeSites(sites, prepared, options, given);
-      }
-      facts.Seconds["intake"] = secondsSince(start);
-      if (status.ok())
-      {
-        status = remesh::remesh(prepared.mesh, prepared.surface, options, control.part(0.1, 0.95),
-          result, prepared.features ? &*prepared.features : nullptr);
-      }
       if (status.ok() && this->MeasureDistance)
       {
         const Clock::time_point measuring = Clock::now();
@@ -305,9 +280,9 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       }
       return status.ok() ? write() : status;
     });
-  if (outcome != vtkInternals::Outcome::Done)
+  if (ended != vtkInternals::Outcome::Done)
   {
-    return outcome == vtkInternals::Outcome::Nothing;
+    return ended == vtkInternals::Outcome::Nothing;
   }
   for (const std::string& warning : warningsOf(prepared, given, options, result))
   {

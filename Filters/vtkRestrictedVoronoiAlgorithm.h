@@ -29,7 +29,8 @@
  * `NumberOfExtraPoints` (points beyond those asked for, or, where sites are given or features are
  * not preserved, beyond the number of sites), `Seed`; with MeasureDistance `MaximumDistance` (the
  * largest found from mesh to surface or back; with a distance tolerance a bound that no point
- * passes) and `RMSDistance` (root of the mean of both mean squares), in the unit of the points.
+ * passes) and `RMSDistance` (root of the mean of both mean squares), in the unit of the points;
+ * `NormalSmoothingRadius` where estimated normals were smoothed over another than the usual one.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball
@@ -102,8 +103,8 @@ public:
    *
    * Points where a triangle would face against the surface are put elsewhere in all cases, first
    * one by one and then together with those around, then nearer to the centroids, and only where
-   * that does not help, edges are turned over: these triangles are not the dual of the cells. See the field array
-   * `NumberOfFlippedTriangles` for what is left.
+   * that does not help, edges are turned over: these triangles are not the dual of the cells. See
+   * the field array `NumberOfFlippedTriangles` for what is left.
    */
   vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);
   vtkGetMacro(VertexPlacement, int);

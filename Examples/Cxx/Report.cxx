@@ -78,12 +78,12 @@ void AddOutput(JsonWriter& json, vtkPolyData* surface)
   json.Add("extra_points", FactOf(surface, "NumberOfExtraPoints"));
   json.Add("flipped_triangles", FactOf(surface, "NumberOfFlippedTriangles"));
   for (const auto& [name, array] :
-    { std::pair<const char*, const char*>{ "maximum_distance", "MaximumDistance" },
-      { "rms_distance", "RMSDistance" } })
+    { std::pair<const char*, const char*>{ "normal_smoothing_radius", "NormalSmoothingRadius" },
+      { "maximum_distance", "MaximumDistance" }, { "rms_distance", "RMSDistance" } })
   {
-    if (vtkDataArray* distance = surface->GetFieldData()->GetArray(array))
+    if (vtkDataArray* length = surface->GetFieldData()->GetArray(array))
     {
-      json.Add(name, distance->GetComponent(0, 0));
+      json.Add(name, length->GetComponent(0, 0));
     }
   }
   json.EndObject();

@@ -237,6 +237,9 @@ void Remesh(Run& run)
     vtkPointSet* sites = vtkPointSet::SafeDownCast(remesher->GetInputDataObject(1, 0));
     run.Embedding->SetNumberOfPoints(
       sites ? std::max<vtkIdType>(1, sites->GetNumberOfPoints()) : options.NumberOfPoints);
+    vtkFieldData* facts = remesher->GetOutput()->GetFieldData();
+    vtkDataArray* radius = facts->GetArray("NormalSmoothingRadius");
+    run.Embedding->SetNormalSmoothingRadius(radius ? radius->GetComponent(0, 0) : 0.0);
     Execute(run.Embedding, run);
   }
 }

@@ -73,6 +73,11 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   add("TopologyPreserved", result.topology.preserved() ? 1 : 0);
   add("NumberOfExtraPoints", result.components.count() - result.wantedVertices);
   add("Seed", source.seed);
+  if (source.prepared.unusualRadius)
+  {
+    columns.add<vtkDoubleArray>(
+      "NormalSmoothingRadius", [&](Offset) { return source.prepared.smoothingRadius; });
+  }
   if (const std::optional<TwoSidedDistance>& distance = result.distance)
   {
     columns.add<vtkDoubleArray>("MaximumDistance",

@@ -94,23 +94,26 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
     prepared.warnings.push_back(status.message + " The normals are estimated instead.");
   }
   estimated = true;
-  prepared.normals =
-    estimateCornerNormals(prepared.mesh, std::max(0, request.normalSmoothingPasses), control);
+  const int passes = request.smoothingRadius > 0.0 ? 0 : std::max(0, request.normalSmoothingPasses);
+  prepared.normals = estimateCornerNormals(prepared.mesh, passes, control);
   return Status::success();
 }
 
 /** Position and normal; estimated normals at the scale of the sites, if no passes were asked for.
  */
 CornerCoordinates makeGaussMap(const PreparationRequest& request, double s, bool estimated,
-  const RunControl& control, const PreparedSurface& prepared)
+  const RunControl& control, PreparedSurface& prepared)
 {
-  if (!estimated || request.normalSmoothingPasses >= 0)
+  if (!estimated || (request.normalSmoothingPasses >= 0 && !(request.smoothingRadius > 0.0)))
   {
     return gaussMapCoordinates(prepared.mesh, prepared.normals, s);
   }
   std::vector<Point3> smoothed = prepared.normals;
-  smoothNormalsOver(
-    prepared.mesh, smoothingRadius(prepared.mesh, request.numberOfSites), control, smoothed);
+  const double usual = smoothingRadius(prepared.mesh, request.numberOfSites);
+  prepared.smoothingRadius =
+    request.smoothingRadius > 0.0 ? request.smoothingRadius : request.smoothing * usual;
+  prepared.unusualRadius = prepared.smoothingRadius != usual;
+  smoothNormalsOver(prepared.mesh, prepared.smoothingRadius, control, smoothed);
   return gaussMapCoordinates(prepared.mesh, smoothed, s);
 }
 

@@ -1,6 +1,5 @@
 #include "Adaptors/ToleranceRun.h"
 
-#include "Adaptors/MemoryCheck.h"
 #include "Mesh/Extent.h"
 #include "MeshDistance.h"
 
@@ -23,31 +22,23 @@ constexpr double leastTolerance = 1e-7; // of the diagonal: single precision
 /** The whole run, with one number of points after the other. */
 struct ToleranceRun
 {
-  vtkPolyData* input;
-  PreparationRequest request;
+  NumberRequest request;
   RemeshOptions options;
   ToleranceOptions tolerance;
-  PreparedSurface& prepared;
-  RemeshResult& result;
+  NumberOutcome& outcome;
+  PreparedSurface& prepared = outcome.prepared;
+  RemeshResult& result = outcome.result;
 
   const Features* features() const
   {
     return this->prepared.features ? &*this->prepared.features : nullptr;
   }
 
-  Status prepare(Offset number, const RunControl& control)
+  /** A run with so many points. */
+  Status make(Offset number, RemeshOptions with, const RunControl& control)
   {
-    this->options.numberOfSites = this->request.numberOfSites = number;
-    Status status = prepareSurface(this->input, this->request, control, this->prepared);
-    return status.ok() ? checkMemory(number, this->prepared.surface.dimension,
-                           this->options.quasiNewton.historyLength)
-                       : status;
-  }
-
-  Status make(const RemeshOptions& with, const RunControl& control)
-  {
-    return remesh(
-      this->prepared.mesh, this->prepared.surface, with, control, this->result, this->features());
+    this->request.preparation.numberOfSites = with.numberOfSites = number;
+    return remeshWithNumber(this->request, with, control, this->outcome);
   }
 
   Status measure(const DistanceOptions& how, const RunControl& control, TwoSidedDistance& distance)
@@ -56,21 +47,20 @@ struct ToleranceRun
       trianglesOf(this->result), trianglesOf(this->prepared.mesh), how, control, distance);
   }
 
-  /** A rough mesh, and the number for the next one. The surface is prepared for the former. */
+  /** A rough mesh, and from its number of points that for the next one. */
   Status pilot(RunControl control, Offset& number)
   {
     RemeshOptions rough = this->options;
     rough.quasiNewton.iterations = std::min(pilotIterations, rough.quasiNewton.iterations);
     TwoSidedDistance distance;
-    Status status = this->make(rough, control.part(0.0, 0.8));
+    Status status = this->make(number, rough, control.part(0.0, 0.8));
     control.enterPhase("Distance", 0.8, 1.0);
     if (status.ok())
     {
       status = this->measure(roughly(), control, distance);
     }
-    number = numberForTolerance(
-      { this->options.numberOfSites, std::max(distance.forward.mean, distance.backward.mean),
-        this->result.neededFeaturePoints },
+    number = numberForTolerance({ number, std::max(distance.forward.mean, distance.backward.mean),
+                                  this->result.neededFeaturePoints },
       this->tolerance);
     return status;
   }
@@ -100,11 +90,8 @@ struct ToleranceRun
     for (int descent = 0;; ++descent)
     {
       control = control.part(0.0, 1.0);
-      Status status = this->prepare(number, control.part(0.0, 0.05));
-      if (status.ok())
-      {
-        status = this->make(this->options, control.part(0.05, 0.6));
-      }
+      this->options.numberOfSites = number; // and of what goes on from there
+      Status status = this->make(number, this->options, control.part(0.0, 0.6));
       TwoSidedDistance distance;
       control.enterPhase("Distance", 0.6, 0.7);
       if (status.ok())
@@ -122,14 +109,14 @@ struct ToleranceRun
   }
 
   /** What was reached. A bound that was proven in refinement holds, however far this one comes. */
-  Status report(ToleranceOutcome outcome, const RunControl& control)
+  Status report(ToleranceOutcome reached, const RunControl& control)
   {
     TwoSidedDistance& distance = this->result.distance.emplace();
     if (Status status = this->measure(this->closely(), control, distance); !status.ok())
     {
       return status;
     }
-    if (outcome == ToleranceOutcome::Kept)
+    if (reached == ToleranceOutcome::Kept)
     {
       for (OneSidedDistance* side : { &distance.forward, &distance.backward })
       {
@@ -140,7 +127,7 @@ struct ToleranceRun
     std::ostringstream warning;
     warning << "The distance is " << distance.maximumBound() << ", above the tolerance of "
             << this->tolerance.tolerance << ": ";
-    if (outcome == ToleranceOutcome::TooManyPoints)
+    if (reached == ToleranceOutcome::TooManyPoints)
     {
       warning << "it takes more than the " << this->tolerance.mostPoints << " points allowed.";
     }
@@ -158,15 +145,18 @@ struct ToleranceRun
 };
 }
 
-Status remeshWithin(const ToleranceRequest& tolerance, vtkPolyData* input,
-  PreparationRequest request, RemeshOptions options, const RunControl& control,
-  PreparedSurface& prepared, RemeshResult& result)
+Status remeshWithin(const ToleranceRequest& tolerance, NumberRequest request, RemeshOptions options,
+  const RunControl& control, NumberOutcome& outcome)
 {
-  ToleranceRun run{ input, std::move(request), std::move(options), {}, prepared, result };
+  PreparedSurface& prepared = outcome.prepared;
+  ToleranceRun run{ std::move(request), std::move(options), {}, outcome };
   run.options.exactNumber = false;
   run.tolerance.mostPoints = tolerance.mostPoints;
   Offset number = std::min(pilotPoints, tolerance.mostPoints);
-  if (Status status = run.prepare(number, control.part(0.0, 0.03)); !status.ok())
+  run.request.preparation.numberOfSites = number;
+  if (Status status = prepareSurface(
+        run.request.input, run.request.preparation, control.part(0.0, 0.03), prepared);
+      !status.ok())
   {
     return status;
   }
@@ -186,14 +176,14 @@ Status remeshWithin(const ToleranceRequest& tolerance, vtkPolyData* input,
   {
     status = run.descend(number, control.part(0.1, 0.6));
   }
-  ToleranceOutcome outcome = ToleranceOutcome::Stuck;
+  ToleranceOutcome reached = ToleranceOutcome::Stuck;
   if (status.ok())
   {
     status = refineToTolerance(prepared.mesh, prepared.surface, run.options, run.tolerance,
-      control.part(0.6, 0.95), result, run.features(), outcome);
+      control.part(0.6, 0.95), outcome.result, run.features(), reached);
   }
   RunControl last = control.part(0.95, 1.0);
   last.enterPhase("Distance", 0.0, 1.0);
-  return status.ok() ? run.report(outcome, last) : status;
+  return status.ok() ? run.report(reached, last) : status;
 }
 }

@@ -5,10 +5,8 @@
 #ifndef remesh_ToleranceRun_h
 #define remesh_ToleranceRun_h
 
-#include "Adaptors/SurfacePreparation.h"
+#include "Adaptors/NumberRun.h"
 #include "ToleranceSearch.h"
-
-class vtkPolyData;
 
 namespace remesh
 {
@@ -21,15 +19,14 @@ struct ToleranceRequest
 
 /**
  * Prepares the surface for the number of points found, and makes the mesh. Tells in
- * `result.distance` what was reached, and by a warning in `prepared` where that is not the
- * tolerance.
+ * `outcome.result.distance` what was reached, and by a warning in `outcome.prepared` where that is
+ * not the tolerance.
  *
  * @param options its number of sites is not looked at.
  * @return InvalidInput for a tolerance below 1e-7 of the diagonal, and as the run.
  */
-Status remeshWithin(const ToleranceRequest& tolerance, vtkPolyData* input,
-  PreparationRequest request, RemeshOptions options, const RunControl& control,
-  PreparedSurface& prepared, RemeshResult& result);
+Status remeshWithin(const ToleranceRequest& tolerance, NumberRequest request, RemeshOptions options,
+  const RunControl& control, NumberOutcome& outcome);
 }
 
 #endif

@@ -139,10 +139,15 @@ Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResul
 {
   result.topology = {};
   result.placement = {};
+  result.fallsApart = false;
   control.enterPhase("Restricted Voronoi diagram", 0.0, 0.6);
   if (Status status = findDual(task, othersStay, control, result); !status.ok())
   {
     return status;
+  }
+  if (result.fallsApart)
+  {
+    return Status::success();
   }
   if (Status status = sumPlainly(task, control.silent(), result); !status.ok())
   {
@@ -152,6 +157,17 @@ Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResul
   control.enterPhase("Vertex placement", 0.6, 1.0);
   return place(task, control, result);
 }
+}
+
+RemeshResult::Seconds& RemeshResult::Seconds::operator+=(const Seconds& other)
+{
+  this->sampling += other.sampling;
+  this->lloyd += other.lloyd;
+  this->newton += other.newton;
+  this->repair += other.repair;
+  this->diagram += other.diagram;
+  this->placement += other.placement;
+  return *this;
 }
 
 Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
@@ -199,7 +215,8 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
     roundToCaller(surface, result.sites);
     result.evaluations = voronoi.evaluations();
   }
-  if (Status status = endRun(task, false, control.part(0.85, 1.0), result); !status.ok())
+  if (Status status = endRun(task, false, control.part(0.85, 1.0), result);
+      !status.ok() || result.fallsApart)
   {
     return status;
   }

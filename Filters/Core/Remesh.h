@@ -55,6 +55,9 @@ struct RemeshOptions
    * of the surface otherwise.
    */
   Offset maximumExtraPoints = 0;
+  /** With more components for each vertex's site, the run ends at its first diagram (`fallsApart`).
+   */
+  double mostComponents = std::numeric_limits<double>::infinity();
   /** How far curves of the mesh may be from those of the surface at most; unit of the points. */
   double mostCurveError = std::numeric_limits<double>::infinity();
 };
@@ -93,6 +96,7 @@ struct RemeshResult
   Index emptyCells = 0;                     ///< of sites that are not on features
   Index movedSites = 0;                     ///< in repairs; `convergence` ends before them
   int evaluations = 0;                      ///< diagrams of the whole surface
+  bool fallsApart = false;                  ///< nothing after the first diagram was done then
 
   struct Seconds
   {
@@ -102,6 +106,8 @@ struct RemeshResult
     double repair = 0.0;
     double diagram = 0.0;
     double placement = 0.0;
+
+    Seconds& operator+=(const Seconds& other);
   } seconds; ///< wall time of the phases
 
   /** Sites, the copies of one vertex counted once: as many vertices as there should be. */

@@ -97,8 +97,8 @@ Status knowSurface(const Task& task, const RunControl& control, RemeshResult& re
 Status settle(const Task& task, const Sites& earlier, const SiteChanges& changes,
   const std::vector<double>& places, const RunControl& control, RemeshResult& result)
 {
-  Status status = relaxAround(task.surface, result.diagram, earlier, changes, places,
-    settlingSteps, task.options.seed, control, result.sites);
+  Status status = relaxAround(task.surface, result.diagram, earlier, changes, places, settlingSteps,
+    task.options.seed, control, result.sites);
   roundToCaller(task.surface, result.sites);
   return status;
 }
@@ -119,6 +119,13 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       return status;
     }
     result.seconds.diagram += watch.lap();
+    if (round == 0 &&
+      static_cast<double>(result.components.count()) >
+        options.mostComponents * static_cast<double>(result.numberOfVertexSites()))
+    {
+      result.fallsApart = true;
+      return Status::success();
+    }
     Sites earlier = mayRepair && !repair.othersStay ? result.sites : Sites{};
     const Index moved =
       mayRepair && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
@@ -132,8 +139,7 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
     if (!othersMustStay(repair))
     {
       const SiteChanges changes = compareSites(earlier, result.sites);
-      if (Status status =
-            settle(task, earlier, changes, changes.places, rest.silent(), result);
+      if (Status status = settle(task, earlier, changes, changes.places, rest.silent(), result);
           !status.ok())
       {
         return status;
@@ -191,8 +197,8 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
     }
     broken = !status.ok() || !result.topology.certificate.holds() ||
       result.components.count() != count || result.seams.intrusions.size() > intrusions ||
-      static_cast<Offset>(
-        flippedTriangles(task, FlipSteps::Move, control, result).size()) > repair.counts.flips;
+      static_cast<Offset>(flippedTriangles(task, FlipSteps::Move, control, result).size()) >
+        repair.counts.flips;
     if (status.ok() && broken)
     {
       restoreState(repair, result);
@@ -216,6 +222,10 @@ Status findDual(const Task& task, bool othersStay, const RunControl& control, Re
   if (status.ok())
   {
     status = mendAll(task, control, repair, result);
+  }
+  if (status.ok() && result.fallsApart)
+  {
+    return status;
   }
   if (status.ok() && !othersStay)
   {

@@ -1,4 +1,5 @@
-// A run that is ended again after sites were added: repairs leave all others where they are.
+// A run that is ended again after sites were added: repairs leave all others where they are. One
+// that ends early.
 #include "Support/Random.h"
 #include "TestPlacements.h"
 
@@ -46,10 +47,29 @@ void testOthersStay()
   }
   CHECK(stayed > 360);
 }
+
+/** A run ends at its first diagram where cells have more parts than they may. */
+void testFallsApart()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.3, 80, 40));
+  const EmbeddedSurface surface = test::gaussMapOf(mesh, 0.05);
+  RemeshOptions options;
+  options.numberOfSites = 400;
+  for (const double most : { 0.99, 1.0 })
+  {
+    options.mostComponents = most;
+    RemeshResult result;
+    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK_EQUAL(result.fallsApart, most < 1.0);
+    CHECK_EQUAL(result.components.count(), 400);
+    CHECK_EQUAL(result.placement.positions.empty(), most < 1.0);
+  }
+}
 }
 
 int TestCompleteMesh(int, char*[])
 {
+  testFallsApart();
   testOthersStay();
   return test::result();
 }

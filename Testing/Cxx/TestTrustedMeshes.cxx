@@ -270,6 +270,23 @@ void testRoughSphere()
   CHECK(numberOfSelfIntersections(folded) > 0);
 }
 
+/**
+ * Bumps that are wide enough to survive the smoothing of the normals, and at high anisotropy far
+ * more than there are cells: these fall into parts, and the mesh apart, unless the normals get
+ * smoother still.
+ */
+void testBumps()
+{
+  TriangleSoup soup = gridPatch(100, 100);
+  for (Point3& p : soup.points)
+  {
+    p[2] = 0.03 * std::sin(30.0 * p[0]) * std::sin(30.0 * p[1]);
+  }
+  const auto surface = polyDataOf(soup);
+  const Trial trial = checkedMesh(surface, 1000, 0.5);
+  CHECK(trial.value("RelativeRMSDistance") < 1e-3);
+}
+
 /** A wavy plate with square holes close to each other: 17 loops, concave corners, narrow bars. */
 void testHoles()
 {
@@ -308,6 +325,7 @@ int TestTrustedMeshes(int, char*[])
   testTube();
   testSaddle();
   testRoughSphere();
+  testBumps();
   testHoles();
   return result();
 }

@@ -1,0 +1,169 @@
+#include "Adaptors/NumberRun.h"
+
+#include "Adaptors/MemoryCheck.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <tuple>
+#include <utility>
+
+namespace remesh
+{
+namespace
+{
+constexpr int mostWidenings = 2;           // of the radius over which normals are smoothed
+constexpr double mostParts = 1.1;          // of cells, for each
+constexpr double shareOfPreparation = 0.1; // of the progress of a run
+constexpr double shareOfOthers = 0.4;      // of the progress, left to runs that may follow
+
+struct NumberRun
+{
+  NumberRequest& request;
+  RemeshOptions& options;
+  NumberOutcome& outcome;
+  bool mayEndEarly = false; ///< whether a run shall, where cells fall apart
+  double filled = 0.0;      ///< how much of the progress the last run took
+
+  /** The caller's sites, or a check that as many as are asked for can be held. */
+  Status takeSites()
+  {
+    const PreparedSurface& prepared = this->outcome.prepared;
+    if (this->request.sites)
+    {
+      const Status status = readSites(this->request.sites, prepared, this->outcome.given);
+      this->options.initialSites = this->outcome.given.sites;
+      return status;
+    }
+    return this->options.numberOfSites <= maximumIndex
+      ? checkMemory(this->options.numberOfSites, prepared.surface.dimension,
+          historyWithin(prepared.surface, this->options.numberOfSites,
+            this->options.quasiNewton.historyLength))
+      : Status::success(); // the core has its own word for that
+  }
+
+  bool mayWiden() const
+  {
+    const PreparationRequest& preparation = this->request.preparation;
+    return this->options.optimize &&
+      this->options.lloydIterations + this->options.quasiNewton.iterations > 0 &&
+      !this->request.sites && preparation.coordinates.empty() &&
+      !(preparation.smoothingRadius > 0.0);
+  }
+
+  /** Whether the normals are smoothed over less than the mean spacing of the sites in R^d. */
+  bool mayBeWrinkled() const
+  {
+    const PreparedSurface& prepared = this->outcome.prepared;
+    double area = 0.0;
+    for (const FacetConstants& facet : prepared.surface.constants)
+    {
+      area += facet.embeddedArea();
+    }
+    const double spacing = prepared.surface.unit *
+      std::sqrt(area / static_cast<double>(this->request.preparation.numberOfSites));
+    return prepared.smoothingRadius > 0.0 && prepared.smoothingRadius < spacing;
+  }
+
+  /** One run with normals smoothed `smoothing` times as far as usual. */
+  Status make(double smoothing, const RunControl& control)
+  {
+    RemeshResult& result = this->outcome.result;
+    const RemeshResult::Seconds seconds = result.seconds;
+    const int evaluations = result.evaluations;
+    result = RemeshResult{};
+    const auto start = std::chrono::steady_clock::now();
+    this->request.preparation.smoothing = smoothing;
+    PreparedSurface& prepared = this->outcome.prepared;
+    Status status = prepareSurface(this->request.input, this->request.preparation,
+      control.part(0.0, shareOfPreparation), prepared);
+    if (status.ok())
+    {
+      status = this->takeSites();
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    this->outcome.intakeSeconds += elapsed.count();
+    if (status.ok())
+    {
+      const bool endsEarly = this->mayEndEarly && this->mayBeWrinkled();
+      this->options.mostComponents =
+        endsEarly ? mostParts : std::numeric_limits<double>::infinity();
+      this->filled = endsEarly || smoothing > 1.0 ? 1.0 - shareOfOthers : 1.0;
+      status = remesh(prepared.mesh, prepared.surface, this->options,
+        control.part(shareOfPreparation, this->filled), result,
+        prepared.features ? &*prepared.features : nullptr);
+    }
+    result.seconds += seconds;
+    result.evaluations += evaluations;
+    return status;
+  }
+
+  /** What cannot be certified, points too many, and flipped triangles: the lower, the better. */
+  std::tuple<Offset, Offset, Offset> faults() const
+  {
+    const RemeshResult& result = this->outcome.result;
+    return { result.topology.certificate.violations(),
+      result.components.count() - result.wantedVertices, result.placement.repair.flippedTriangles };
+  }
+
+  /** Makes the mesh with the first radius, too, and keeps it if it is better than the last one. */
+  Status compareWithFirst(const RunControl& control)
+  {
+    const auto lastFaults = this->faults();
+    PreparedSurface lastPrepared = std::move(this->outcome.prepared);
+    RemeshResult last = std::move(this->outcome.result);
+    RemeshResult& result = this->outcome.result;
+    result = RemeshResult{};
+    result.seconds = last.seconds;
+    result.evaluations = last.evaluations;
+    this->mayEndEarly = false;
+    Status status;
+    try
+    {
+      status = this->make(1.0, control);
+    }
+    catch (const std::bad_alloc&) // there are two surfaces and results now
+    {
+      status.code = StatusCode::OutOfMemory;
+    }
+    if (status.code == StatusCode::Cancelled || (status.ok() && this->faults() < lastFaults))
+    {
+      return status;
+    }
+    if (status.ok())
+    {
+      last.seconds = result.seconds;
+      last.evaluations = result.evaluations;
+    }
+    result = std::move(last);
+    this->outcome.prepared = std::move(lastPrepared);
+    return Status::success();
+  }
+};
+}
+
+Status remeshWithNumber(
+  NumberRequest request, RemeshOptions& options, const RunControl& control, NumberOutcome& outcome)
+{
+  NumberRun run{ request, options, outcome };
+  if (!run.mayWiden())
+  {
+    return run.make(1.0, control);
+  }
+  RunControl rest = control;
+  for (int widening = 0;; ++widening)
+  {
+    run.mayEndEarly = widening < mostWidenings;
+    if (Status status = run.make(std::ldexp(1.0, widening), rest);
+        !status.ok() || !outcome.result.fallsApart)
+    {
+      const TopologyFailure failure = outcome.result.topology.failure();
+      const bool lost = failure == TopologyFailure::Diagram || failure == TopologyFailure::Mesh;
+      return status.ok() && widening > 0 && lost ? run.compareWithFirst(rest.part(run.filled, 1.0))
+                                                 : status;
+    }
+    rest = rest.part(run.filled, 1.0);
+  }
+}
+}

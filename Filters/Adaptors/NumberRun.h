@@ -1,0 +1,52 @@
+/**
+ * @file NumberRun.h
+ * @brief Surface and mesh for a number of sites, or for given ones (ToleranceRun.h: for a
+ * distance).
+ */
+#ifndef remesh_NumberRun_h
+#define remesh_NumberRun_h
+
+#include "Adaptors/SitesInput.h"
+#include "Adaptors/SurfacePreparation.h"
+#include "Remesh.h"
+
+class vtkPointSet;
+class vtkPolyData;
+
+namespace remesh
+{
+struct NumberRequest
+{
+  vtkPolyData* input;
+  vtkPointSet* sites; ///< to start from, or nullptr
+  PreparationRequest preparation;
+};
+
+struct NumberOutcome
+{
+  PreparedSurface prepared;
+  GivenSites given; ///< what was read of the sites; they become `options.initialSites`
+  RemeshResult result;
+  double intakeSeconds = 0.0; ///< wall time of the preparations
+};
+
+/**
+ * Prepares the surface for the sites, and makes the mesh.
+ *
+ * Where normals are noisy and count for much, the surface in R^d has more wrinkles than there are
+ * sites: cells fall into many parts. Such a run ends at its first diagram, and another is made with
+ * normals smoothed over twice, then four times the radius, as long as the radius is less than the
+ * mean spacing in R^d. If the mesh cannot be certified in spite of that, the first radius is tried
+ * to the end, too, and the better mesh is kept. So a run costs up to three times what it would.
+ *
+ * Not where the radius or the passes are chosen, where normals are given, where there are sites to
+ * start from or further coordinates, nor without iterations.
+ *
+ * @param outcome times and evaluations are of all these runs together.
+ * @return as prepareSurface, readSites and remesh; OutOfMemory where that many sites do not fit.
+ */
+Status remeshWithNumber(
+  NumberRequest request, RemeshOptions& options, const RunControl& control, NumberOutcome& outcome);
+}
+
+#endif
