@@ -48,6 +48,17 @@ inline vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleSoup& soup)
   return data;
 }
 
+/** size x size squares over the unit square, z = height sin(waves x) sin(waves y). */
+inline vtkSmartPointer<vtkPolyData> bumpyPlate(int size, double height, double waves)
+{
+  TriangleSoup soup = gridPatch(size, size);
+  for (Point3& p : soup.points)
+  {
+    p[2] = height * std::sin(waves * p[0]) * std::sin(waves * p[1]);
+  }
+  return polyDataOf(soup);
+}
+
 /** Half-axes and centre of `ellipsoid()`: nothing is round, nothing is at the origin. */
 inline Point3 ellipsoidAxes()
 {

@@ -16,16 +16,6 @@ namespace
 {
 constexpr vtkIdType points = 1500;
 
-vtkSmartPointer<vtkPolyData> bumpyPlate(int size, double height, double waves)
-{
-  TriangleSoup soup = gridPatch(size, size);
-  for (Point3& p : soup.points)
-  {
-    p[2] = height * std::sin(waves * p[0]) * std::sin(waves * p[1]);
-  }
-  return polyDataOf(soup);
-}
-
 double usualRadius(vtkPolyData* surface, vtkIdType number)
 {
   return 1.5 * std::sqrt(areaOf(surface) / static_cast<double>(number));

@@ -180,6 +180,17 @@ int TestProgressAbort(int, char*[])
   checkSame(contentsOf(diagram), cells, "the diagram after an abort");
   checkSame(contentsOf(embedding), embedded, "the embedding after an abort");
 
+  // Several runs in one: with normals smoothed farther, and at last compared.
+  vtkNew<vtkAnisotropicRemesher> wrinkled;
+  wrinkled->SetInputData(bumpyPlate(60, 0.08, 40.0));
+  wrinkled->SetNumberOfPoints(500);
+  wrinkled->SetAnisotropy(1.0);
+  testProgress(wrinkled, 30);
+  for (const double moment : { 0.3, 0.58, 0.7, 0.85, 0.9 })
+  {
+    testAbort(wrinkled, moment);
+  }
+
   testResponsiveness();
   return result();
 }

@@ -277,12 +277,7 @@ void testRoughSphere()
  */
 void testBumps()
 {
-  TriangleSoup soup = gridPatch(100, 100);
-  for (Point3& p : soup.points)
-  {
-    p[2] = 0.03 * std::sin(30.0 * p[0]) * std::sin(30.0 * p[1]);
-  }
-  const auto surface = polyDataOf(soup);
+  const auto surface = bumpyPlate(100, 0.03, 30.0);
   const Trial trial = checkedMesh(surface, 1000, 0.5);
   CHECK(trial.value("RelativeRMSDistance") < 1e-3);
 }

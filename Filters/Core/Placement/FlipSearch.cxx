@@ -34,8 +34,6 @@ Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<
     m_triangles.clear(); // some of them are not judged
     return Status::cancelled();
   }
-  m_triangles = triangles;
-  m_positions = positions;
   flipped.clear();
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
@@ -43,6 +41,12 @@ Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<
     {
       flipped.push_back(static_cast<Index>(t));
     }
+  }
+  m_triangles.clear();
+  if (!flipped.empty()) // else there is nothing to repair, and no other search
+  {
+    m_triangles = triangles;
+    m_positions = positions;
   }
   return Status::success();
 }

@@ -13,7 +13,7 @@ namespace remesh
 {
 /**
  * Judges a triangle only if it is another than in the search before, or one of its corners has
- * moved since: repairs touch few of them.
+ * moved since: repairs touch few of them. The surface must be the same.
  */
 class FlipSearch
 {
@@ -37,7 +37,7 @@ public:
 private:
   const NearbySurface& m_surface;
   std::vector<char> m_isFlipped;   ///< T, as of the last search; none before the first
-  std::vector<Triple> m_triangles; ///< of the last search
+  std::vector<Triple> m_triangles; ///< of the last search; none if nothing was flipped
   std::vector<Point3> m_positions; ///< likewise
 };
 }
