@@ -75,8 +75,9 @@ public:
    * smoothed over 1.5 times the mean spacing of the new points, sqrt(area / points), whatever the
    * sizes of the triangles, as bends finer than that cannot be meshed. Where the normals count for
    * so much that this leaves more bends than points (cells fall into more than 1.1 parts each),
-   * vtkAnisotropicRemesher smooths them over twice or four times that, and takes up to three times
-   * as long. (The outputs' normals are not smoothed.) Given normals never are.
+   * vtkAnisotropicRemesher smooths them over twice or four times that, and takes up to four times
+   * as long; not where it starts from given sites, does no iterations, or has coordinate arrays.
+   * (The outputs' normals are not smoothed.) Given normals never are.
    */
   vtkSetClampMacro(NormalSmoothingPasses, int, -1, 10000);
   vtkGetMacro(NormalSmoothingPasses, int);
@@ -86,8 +87,9 @@ public:
   /**
    * Root mean square distance over which estimated normals are smoothed, in the unit of the points;
    * 0 or more. Default 0: as `NormalSmoothingPasses` tells, which a radius overrides. Where
-   * vtkAnisotropicRemesher took more than 1.5 spacings, the field data of its mesh tells
-   * (`NormalSmoothingRadius`): with that, other filters work on the same surface in R^d.
+   * vtkAnisotropicRemesher took more than 1.5 spacings, or was given a tolerance, the field data of
+   * its mesh tells (`NormalSmoothingRadius`): with that, other filters work on the same surface in
+   * R^d.
    */
   vtkSetClampMacro(NormalSmoothingRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NormalSmoothingRadius, double);

@@ -174,7 +174,8 @@ public:
   ///@{
   /**
    * Facts about the last execution: dimension of the embedding, steps of the optimiser, restricted
-   * Voronoi diagrams computed (of the whole surface), CVT energy reached. 0 before the first.
+   * Voronoi diagrams computed (of the whole surface; of all runs where it took several), CVT energy
+   * reached. 0 before the first.
    */
   int GetDimension() const;
   int GetNumberOfIterations() const;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <new>
 #include <tuple>
@@ -99,12 +100,13 @@ struct NumberRun
     return status;
   }
 
-  /** What cannot be certified, points too many, and flipped triangles: the lower, the better. */
-  std::tuple<Offset, Offset, Offset> faults() const
+  /** What is lost, points too many or too few, and flipped triangles: the lower, the better. */
+  std::tuple<bool, Offset, Offset, Offset> faults() const
   {
     const RemeshResult& result = this->outcome.result;
-    return { result.topology.certificate.violations(),
-      result.components.count() - result.wantedVertices, result.placement.repair.flippedTriangles };
+    return { !result.topology.preserved(), result.topology.certificate.violations(),
+      std::abs(result.components.count() - result.wantedVertices),
+      result.placement.repair.flippedTriangles };
   }
 
   /** Makes the mesh with the first radius, too, and keeps it if it is better than the last one. */

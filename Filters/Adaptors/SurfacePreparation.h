@@ -55,7 +55,7 @@ struct PreparedSurface
   IntakeReport intake;
   std::vector<Point3> normals;   ///< C, unit; before the smoothing over the spacing
   double smoothingRadius = 0.0;  ///< of that smoothing, in the unit of the points; 0: none
-  bool unusualRadius = false;    ///< not what the number of sites alone gives
+  bool unusualRadius = false;    ///< not what the number of sites asked for gives
   CornerCoordinates coordinates; ///< C x d, the caller's units; empty where not to be kept
   EmbeddedSurface surface;
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */

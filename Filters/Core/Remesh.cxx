@@ -130,7 +130,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   Status status = placeVertices(problem, task.options.placement, control, result.locations,
     result.dual.triangles, result.placement);
-  result.seconds.placement = watch.lap();
+  result.seconds.placement += watch.lap();
   return status.ok() ? knowMesh(control.silent(), result) : status;
 }
 
