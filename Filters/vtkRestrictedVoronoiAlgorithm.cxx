@@ -201,9 +201,7 @@ std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
       std::to_string(result.featureSites.numberOfPoints()) +
       " of them there. More points or a larger feature angle help.");
   }
-  using remesh::TopologyFailure;
-  if (const TopologyFailure failure = result.topology.failure();
-      failure == TopologyFailure::Diagram || failure == TopologyFailure::Mesh)
+  if (result.topology.lost())
   {
     warnings.push_back(
       result.topology.describe() + " More points, extra points or less anisotropy help.");

@@ -26,6 +26,8 @@ struct NumberRun
   NumberOutcome& outcome;
   bool mayEndEarly = false; ///< whether a run shall, where cells fall apart
   double filled = 0.0;      ///< how much of the progress the last run took
+  RemeshResult::Seconds seconds = outcome.result.seconds; ///< of all runs, earlier ones, too
+  int evaluations = outcome.result.evaluations;           ///< likewise
 
   /** The caller's sites, or a check that as many as are asked for can be held. */
   Status takeSites()
@@ -71,8 +73,6 @@ struct NumberRun
   Status make(double smoothing, const RunControl& control)
   {
     RemeshResult& result = this->outcome.result;
-    const RemeshResult::Seconds seconds = result.seconds;
-    const int evaluations = result.evaluations;
     result = RemeshResult{};
     const auto start = std::chrono::steady_clock::now();
     this->request.preparation.smoothing = smoothing;
@@ -95,8 +95,8 @@ struct NumberRun
         control.part(shareOfPreparation, this->filled), result,
         prepared.features ? &*prepared.features : nullptr);
     }
-    result.seconds += seconds;
-    result.evaluations += evaluations;
+    this->seconds += result.seconds;
+    this->evaluations += result.evaluations;
     return status;
   }
 
@@ -115,10 +115,6 @@ struct NumberRun
     const auto lastFaults = this->faults();
     PreparedSurface lastPrepared = std::move(this->outcome.prepared);
     RemeshResult last = std::move(this->outcome.result);
-    RemeshResult& result = this->outcome.result;
-    result = RemeshResult{};
-    result.seconds = last.seconds;
-    result.evaluations = last.evaluations;
     this->mayEndEarly = false;
     Status status;
     try
@@ -133,14 +129,30 @@ struct NumberRun
     {
       return status;
     }
-    if (status.ok())
-    {
-      last.seconds = result.seconds;
-      last.evaluations = result.evaluations;
-    }
-    result = std::move(last);
+    this->outcome.result = std::move(last);
     this->outcome.prepared = std::move(lastPrepared);
     return Status::success();
+  }
+
+  /** Runs with one radius after the other, as far as they help. */
+  Status makeWithRadii(const RunControl& control)
+  {
+    if (!this->mayWiden())
+    {
+      return this->make(1.0, control);
+    }
+    RunControl rest = control;
+    for (int widening = 0;; ++widening)
+    {
+      this->mayEndEarly = widening < mostWidenings;
+      const Status status = this->make(std::ldexp(1.0, widening), rest);
+      rest = rest.part(this->filled, 1.0);
+      if (!status.ok() || !this->outcome.result.fallsApart)
+      {
+        const bool compares = status.ok() && widening > 0 && this->outcome.result.topology.lost();
+        return compares ? this->compareWithFirst(rest) : status;
+      }
+    }
   }
 };
 }
@@ -149,23 +161,9 @@ Status remeshWithNumber(
   NumberRequest request, RemeshOptions& options, const RunControl& control, NumberOutcome& outcome)
 {
   NumberRun run{ request, options, outcome };
-  if (!run.mayWiden())
-  {
-    return run.make(1.0, control);
-  }
-  RunControl rest = control;
-  for (int widening = 0;; ++widening)
-  {
-    run.mayEndEarly = widening < mostWidenings;
-    if (Status status = run.make(std::ldexp(1.0, widening), rest);
-        !status.ok() || !outcome.result.fallsApart)
-    {
-      const TopologyFailure failure = outcome.result.topology.failure();
-      const bool lost = failure == TopologyFailure::Diagram || failure == TopologyFailure::Mesh;
-      return status.ok() && widening > 0 && lost ? run.compareWithFirst(rest.part(run.filled, 1.0))
-                                                 : status;
-    }
-    rest = rest.part(run.filled, 1.0);
-  }
+  Status status = run.makeWithRadii(control);
+  outcome.result.seconds = run.seconds;
+  outcome.result.evaluations = run.evaluations;
+  return status;
 }
 }

@@ -134,15 +134,15 @@ void testLentCorners()
   lent.rows.resize(mesh.cornerPoints.size());
   std::iota(lent.rows.begin(), lent.rows.end(), Offset(0));
 
+  EmbeddedSurface holding;
+  CHECK(embedSurface(mesh, held, RunControl(), holding).ok());
+  const Sites earlier = test::sampled(holding, 200, 3);
   Sites moved[2];
   for (const bool lends : { false, true })
   {
     EmbeddedSurface surface;
     CHECK(embedSurface(mesh, lends ? lent : held, RunControl(), surface).ok());
     CHECK_EQUAL(surface.source.isLent(), lends);
-    EmbeddedSurface holding;
-    CHECK(embedSurface(mesh, held, RunControl(), holding).ok());
-    const Sites earlier = test::sampled(holding, 200, 3);
     CellSums sums;
     Diagram diagram;
     CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());

@@ -33,7 +33,8 @@ void checkWalk(
     const double distance = distanceBetween(sites, site, walk.site());
     const double bound = walk.leastDistance();
     wrong += walk.site() == site || bound < last || bound > distance + rounding;
-    wrong += atRest && bound < distance * (1.0 - 2.0 * std::numeric_limits<float>::epsilon()) - rounding;
+    wrong +=
+      atRest && bound < distance * (1.0 - 2.0 * std::numeric_limits<float>::epsilon()) - rounding;
     last = bound;
     distinct += !seen[walk.site()];
     seen[walk.site()] = 1;

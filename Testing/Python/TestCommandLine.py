@@ -14,6 +14,7 @@ import subprocess
 
 import numpy
 
+from anisotropic_remeshing import vtkGaussMapEmbedding
 from CommandLineTesting import FORMATS, SMALL, CommandLineTest, content, main, read, sphere, write
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
@@ -286,6 +287,22 @@ class TestResults(CommandLineTest):
         self.assertFalse((bare == points[1]).all())
         self.succeed(self.input(), "active.vtp", *SMALL)
         self.assertEqual(content(self.path("active.vtp")), content(self.path("named.vtp")))
+
+    def test_smoothing_radius(self):
+        surface = sphere()
+        surface.GetPointData().RemoveArray("Normals")
+        write(surface, self.input("bare.vtp"))
+        self.succeed(self.input("bare.vtp"), "out.vtp", "--tolerance", "0.01",
+                     "--embedded-surface", "x.vtp", "--report", "r.json")
+        with open(self.path("r.json"), encoding="utf-8") as file:
+            radius = json.load(file)["output"]["normal_smoothing_radius"]
+        embedding = vtkGaussMapEmbedding()
+        embedding.SetNormalSmoothingRadius(radius)
+        embedding.SetInputData(read(self.input("bare.vtp")))
+        embedding.Update()
+        expected = embedding.GetOutput().GetPointData().GetArray("Embedding")
+        found = read(self.path("x.vtp")).GetPointData().GetArray("Embedding")
+        self.assertTrue((vtk_to_numpy(found) == vtk_to_numpy(expected)).all())
 
     def test_isotropic(self):
         self.succeed(self.input(), "a.vtp", *SMALL, "--dimension", "3")

@@ -27,6 +27,12 @@ struct TopologyResult
 
   TopologyFailure failure() const;
   bool preserved() const { return this->failure() == TopologyFailure::None; }
+  /** Whether that of a manifold is not, or not proven to be. */
+  bool lost() const
+  {
+    const TopologyFailure why = this->failure();
+    return why == TopologyFailure::Diagram || why == TopologyFailure::Mesh;
+  }
   /** One sentence with the numbers of what fails; "" where nothing does. */
   std::string describe() const;
 };
