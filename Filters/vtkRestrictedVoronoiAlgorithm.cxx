@@ -287,7 +287,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
     vtkWarningMacro(<< warning);
   }
 
-  facts.Dimension = prepared.surface.callerDimension;
+  facts.Dimension = prepared.surface.dimension;
   facts.Iterations = result.convergence.rows.back().iteration;
   facts.Evaluations = result.evaluations;
   facts.TopologyReport = result.topology.describe();

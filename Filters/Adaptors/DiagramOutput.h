@@ -30,8 +30,7 @@ struct DiagramSource
   RunControl control;
 
   const EmbeddedSurface& surface() const { return this->prepared.surface; }
-  /** Of the embedding proper, without the coordinates that keep patches apart. */
-  int dimension() const { return this->surface().callerDimension; }
+  int dimension() const { return this->surface().dimension; }
   /** The patch of a facet and of a site. */
   Offset patchOfFacet(Index facet) const
   {
@@ -39,7 +38,7 @@ struct DiagramSource
   }
   Offset patchOfSite(Index site) const
   {
-    return this->surface().patchOf(this->result.sites.site(site));
+    return this->surface().patches.patchOf(this->result.sites.site(site));
   }
   double massUnit() const { return this->surface().unit * this->surface().unit; }
   double energyUnit() const { return this->massUnit() * this->massUnit(); }

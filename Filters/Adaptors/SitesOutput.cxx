@@ -51,25 +51,17 @@ void addPlaces(const DiagramSource& source, const Columns& columns)
 {
   const RemeshResult& result = source.result;
   const int d = source.dimension();
-  const int stride = source.surface().dimension;
   columns.addTuples<vtkDoubleArray>("Embedding", d,
     [&](Offset i, double* values)
-    {
-      const double* x = result.sites.site(static_cast<Index>(i));
-      for (int c = 0; c < d; ++c)
-      {
-        values[c] = source.surface().toCaller(x[c], c);
-      }
-    });
+    { source.surface().toCaller(result.sites.site(static_cast<Index>(i)), values); });
   columns.addTuples<vtkDoubleArray>("Centroid", d,
     [&](Offset i, double* values)
     {
-      const double* x = result.sites.site(static_cast<Index>(i));
+      source.surface().toCaller(result.sites.site(static_cast<Index>(i)), values);
       const double mass = source.siteMass()[i];
-      for (int c = 0; c < d; ++c)
+      for (int c = 0; mass > 0.0 && c < d; ++c)
       {
-        const double shift = mass > 0.0 ? source.siteMoment()[i * stride + c] / mass : 0.0;
-        values[c] = source.surface().toCaller(x[c] + shift, c);
+        values[c] += source.siteMoment()[i * d + c] / mass * source.surface().unit;
       }
     });
 }

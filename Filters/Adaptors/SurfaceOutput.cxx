@@ -49,16 +49,9 @@ void addSiteArrays(const DiagramSource& source, const Columns& columns)
     columns.add<vtkDoubleArray>("CellWeightedMass",
       [&](Offset k) { return components.mass[k] * source.massUnit() * source.densityUnit(); });
   }
-  const int d = source.dimension();
-  columns.addTuples<vtkDoubleArray>("Embedding", d,
+  columns.addTuples<vtkDoubleArray>("Embedding", source.dimension(),
     [&](Offset k, double* values)
-    {
-      const double* x = source.result.sites.site(components.sites[k]);
-      for (int c = 0; c < d; ++c)
-      {
-        values[c] = source.surface().toCaller(x[c], c);
-      }
-    });
+    { source.surface().toCaller(source.result.sites.site(components.sites[k]), values); });
 }
 
 void addFacts(const DiagramSource& source, vtkFieldData* data)

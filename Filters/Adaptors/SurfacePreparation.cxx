@@ -151,7 +151,7 @@ Status makeCoordinates(vtkPolyData* input, const PreparationRequest& request, bo
       : positionCoordinates(prepared.mesh);
   }
   const Offset points = input->GetNumberOfPoints();
-  // What is done along features works on held coordinates, and patches get further ones.
+  // What is done along features works on held coordinates, and patches are moved apart.
   if (request.mayLend && !prepared.features &&
     lendCornerArrays(prepared.mesh, arrays, points, manyDimensions, prepared.coordinates))
   {
@@ -225,7 +225,8 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   }
   if (status.ok() && prepared.features && prepared.features->numberOfPatches > 1)
   {
-    separatePatches(prepared.features->facetPatches, prepared.surface);
+    separatePatches(
+      prepared.features->facetPatches, prepared.features->numberOfPatches, prepared.surface);
   }
   return status;
 }

@@ -186,7 +186,7 @@ void testFeatures()
       EmbeddedSurface surface = test::embedded(mesh, 6);
       if (features.numberOfPatches > 1)
       {
-        separatePatches(features.facetPatches, surface);
+        separatePatches(features.facetPatches, features.numberOfPatches, surface);
       }
       RemeshOptions options;
       options.numberOfSites = n;

@@ -4,7 +4,7 @@
  *
  * A pair (site, corner) must give the same double wherever it is asked for: one function, one
  * order of operations, no contraction into fused operations (a flag of this library's build).
- * D is 3, 6, 8, or Eigen::Dynamic for any other dimension.
+ * D is 3, 6, or Eigen::Dynamic for any other dimension.
  */
 #ifndef remesh_Distance_h
 #define remesh_Distance_h
@@ -48,8 +48,6 @@ auto dispatchDimension(int dimension, Function&& function)
       return function(std::integral_constant<int, 3>{});
     case 6:
       return function(std::integral_constant<int, 6>{});
-    case 8:
-      return function(std::integral_constant<int, 8>{});
     default:
       return function(std::integral_constant<int, Eigen::Dynamic>{});
   }

@@ -3,7 +3,8 @@
  * @brief The surface in R^d: what the Voronoi and optimisation stages work on.
  *
  * These stages know d and never what the coordinates mean. Coordinates are centred and scaled by a
- * power of two (exact), so that they are at most 1 in size; `toCaller` undoes it.
+ * power of two (exact), so that they are at most 1 in size, and patches are put apart; `toCaller`
+ * undoes it.
  *
  * A surface of many dimensions may read its coordinates from the caller's arrays (`source`) instead
  * of holding them; CornerReader gives the same values, to the bit, either way.
@@ -12,10 +13,10 @@
 #define remesh_EmbeddedSurface_h
 
 #include "Embedding/CornerCoordinates.h"
+#include "Embedding/PatchLattice.h"
 #include "Mesh/SurfaceMesh.h"
 
 #include <cmath>
-#include <limits>
 
 namespace remesh
 {
@@ -45,12 +46,7 @@ constexpr int manyDimensions = 64;
 struct EmbeddedSurface
 {
   int dimension = 0;
-  /**
-   * The first so many coordinates are the embedding; further ones keep patches apart (see
-   * separatePatches) and are constant over a facet.
-   */
-  int callerDimension = 0;
-  double patchStep = 0.0;                ///< between patches in coordinate `callerDimension`; or 0
+  PatchLattice patches;                  ///< where they are put, see separatePatches
   std::vector<double> corners;           ///< C x d, centred and scaled; none where `source` lends
   CornerCoordinates source;              ///< empty where `corners` holds the coordinates
   std::vector<Triple> facetCorners;      ///< F x 3
@@ -75,23 +71,17 @@ struct EmbeddedSurface
     return this->corners.data() + static_cast<std::size_t>(id) * this->dimension;
   }
 
-  /** The patch of a point, by its coordinates. */
-  Index patchOf(const double* point) const
-  {
-    return this->patchStep > 0.0
-      ? static_cast<Index>(point[this->callerDimension] / this->patchStep + 0.5)
-      : 0;
-  }
-
-  /** Below the distance of patches, so that a search for neighbours need not look into others. */
-  double patchLimit() const
-  {
-    return this->patchStep > 0.0 ? (1.0 - 0x1p-10) * this->patchStep
-                                 : std::numeric_limits<double>::infinity();
-  }
-
-  /** Coordinate k of a point, in the caller's units. */
+  /** Coordinate k of a point of the first patch, in the caller's units. */
   double toCaller(double scaled, int k) const { return scaled * this->unit + this->center[k]; }
+  /** The d coordinates of any point in the caller's units. */
+  void toCaller(const double* scaled, double* coordinates) const
+  {
+    const Index patch = this->patches.patchOf(scaled);
+    for (int k = 0; k < this->dimension; ++k)
+    {
+      coordinates[k] = this->toCaller(scaled[k] - this->patches.offset(patch, k), k);
+    }
+  }
   double toScaled(double coordinate, int k) const
   {
     return (coordinate - this->center[k]) / this->unit;

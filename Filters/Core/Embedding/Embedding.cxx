@@ -172,11 +172,15 @@ void appendCoordinates(CornerCoordinates& coordinates, const CornerCoordinates& 
 
 void roundToCaller(const EmbeddedSurface& surface, Sites& sites)
 {
-  for (std::size_t k = 0; k < sites.coordinates.size(); ++k)
+  for (Index i = 0; i < sites.count(); ++i)
   {
-    const int component = static_cast<int>(k % static_cast<std::size_t>(sites.dimension));
-    double& x = sites.coordinates[k];
-    x = surface.toScaled(surface.toCaller(x, component), component);
+    double* x = sites.site(i);
+    const Index patch = surface.patches.patchOf(x);
+    for (int k = 0; k < sites.dimension; ++k)
+    {
+      const double offset = surface.patches.offset(patch, k);
+      x[k] = surface.toScaled(surface.toCaller(x[k] - offset, k), k) + offset;
+    }
   }
 }
 
@@ -203,34 +207,27 @@ void weightByDensity(const std::vector<double>& densities, EmbeddedSurface& surf
   }
 }
 
-void separatePatches(const std::vector<Index>& facetPatches, EmbeddedSurface& surface)
+void separatePatches(
+  const std::vector<Index>& facetPatches, Index numberOfPatches, EmbeddedSurface& surface)
 {
-  const int d = surface.dimension;
-  const int compiled[] = { 3, 6, 8 };
-  const auto* fitting =
-    std::find_if(std::begin(compiled), std::end(compiled), [d](int size) { return size > d; });
-  const int total = fitting != std::end(compiled) ? *fitting : d + 1;
-  int exponent = 0;
-  std::frexp(4.0 * std::sqrt(static_cast<double>(d)), &exponent); // coordinates are at most 1
-  surface.patchStep = std::ldexp(1.0, exponent);
-  const auto count = static_cast<std::size_t>(surface.numberOfCorners());
-  std::vector<double> corners(count * static_cast<std::size_t>(total), 0.0);
-  for (std::size_t c = 0; c < count; ++c)
-  {
-    std::copy_n(surface.corners.data() + c * static_cast<std::size_t>(d), d,
-      corners.data() + c * static_cast<std::size_t>(total));
-  }
-  for (std::size_t f = 0; f < surface.facetCorners.size(); ++f)
+  surface.patches = PatchLattice(surface.dimension, numberOfPatches);
+  std::vector<Index> cornerPatches(static_cast<std::size_t>(surface.numberOfCorners()), 0);
+  for (std::size_t f = 0; f < facetPatches.size(); ++f)
   {
     for (const Index corner : surface.facetCorners[f])
     {
-      corners[static_cast<std::size_t>(corner) * static_cast<std::size_t>(total) + d] =
-        surface.patchStep * facetPatches[f];
+      cornerPatches[corner] = facetPatches[f];
     }
   }
-  surface.corners = std::move(corners);
-  surface.dimension = total;
-  surface.center.resize(static_cast<std::size_t>(total), 0.0);
+  const auto d = static_cast<std::size_t>(surface.dimension);
+  for (std::size_t c = 0; c < cornerPatches.size(); ++c)
+  {
+    for (int k = 0; k < surface.dimension; ++k)
+    {
+      surface.corners[c * d + static_cast<std::size_t>(k)] +=
+        surface.patches.offset(cornerPatches[c], k);
+    }
+  }
 }
 
 Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
@@ -239,7 +236,6 @@ Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
   const int d = coordinates.dimension;
   surface = EmbeddedSurface{};
   surface.dimension = d;
-  surface.callerDimension = d;
   surface.facetCorners = mesh.facetCorners;
   if (Status status = findFrame(coordinates, surface); !status.ok())
   {

@@ -54,13 +54,13 @@ Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
 void weightByDensity(const std::vector<double>& densities, EmbeddedSurface& surface);
 
 /**
- * Adds coordinates that put patches so far apart that no site's cell reaches another patch: the
- * number of the patch times a power of two above twice the diameter, and zeros up to a dimension
- * that the distances are compiled for. Distances within a patch stay the same numbers.
+ * Moves patches so far apart that no site's cell reaches another patch (PatchLattice.h). The
+ * surface must hold its corners.
  *
  * @param facetPatches F, from 0.
  */
-void separatePatches(const std::vector<Index>& facetPatches, EmbeddedSurface& surface);
+void separatePatches(
+  const std::vector<Index>& facetPatches, Index numberOfPatches, EmbeddedSurface& surface);
 
 /**
  * Rounds sites to coordinates that `toCaller` and back again, `toScaled`, do not change: the same

@@ -188,7 +188,7 @@ namespace
 {
 constexpr double offset = 1e-8; // of the square root of the surface's measure
 
-/** Moves each site a little within the embedding proper, by its place and nothing else. */
+/** Moves each site a little, by its place and nothing else. */
 void shake(const EmbeddedSurface& surface, Sites& sites)
 {
   const double most = offset * std::sqrt(surface.siteMeasure);
@@ -201,7 +201,7 @@ void shake(const EmbeddedSurface& surface, Sites& sites)
       std::memcpy(&bits, sites.site(i) + k, sizeof(bits));
       place = mixBits(place ^ bits);
     }
-    for (int k = 0; k < surface.callerDimension; ++k)
+    for (int k = 0; k < surface.dimension; ++k)
     {
       const double random = uniform01(place, static_cast<std::uint64_t>(k), 0);
       sites.site(i)[k] += most * (2.0 * random - 1.0);

@@ -52,7 +52,7 @@ std::vector<Offset> leastCounts(
   std::vector<std::vector<Index>> vertices(sizes.area.size()); // of each patch, ascending
   for (Index site = 0; site < featureSites.sites.count(); ++site)
   {
-    std::vector<Index>& own = vertices[surface.patchOf(featureSites.sites.site(site))];
+    std::vector<Index>& own = vertices[surface.patches.patchOf(featureSites.sites.site(site))];
     const Index point = featureSites.pointOfSite[site];
     if (own.empty() || own.back() != point)
     {

@@ -58,7 +58,7 @@ Neighborhood findNeighborhood(
       continue;
     }
     isDone[nearest] = 1;
-    search.neighbors(nearest, covering, surface.patchLimit(), found);
+    search.neighbors(nearest, covering, surface.patches.leastDistance(), found);
     found.insert(found.begin(), { nearest, 0.0 });
     for (std::size_t n = 0; n < found.size(); ++n)
     {
@@ -85,8 +85,7 @@ EmbeddedSurface extractFacets(const EmbeddedSurface& surface, const std::vector<
 {
   EmbeddedSurface part;
   part.dimension = surface.dimension;
-  part.callerDimension = surface.callerDimension;
-  part.patchStep = surface.patchStep;
+  part.patches = surface.patches;
   part.center = surface.center;
   part.unit = surface.unit;
   part.hasDensity = surface.hasDensity;

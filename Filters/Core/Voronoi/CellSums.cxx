@@ -166,7 +166,6 @@ void BlockAccumulator<D>::finish()
 
 template class BlockAccumulator<3>;
 template class BlockAccumulator<6>;
-template class BlockAccumulator<8>;
 template class BlockAccumulator<Eigen::Dynamic>;
 
 Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, int dimension,

@@ -86,7 +86,6 @@ private:
 
 extern template class BlockAccumulator<3>;
 extern template class BlockAccumulator<6>;
-extern template class BlockAccumulator<8>;
 extern template class BlockAccumulator<Eigen::Dynamic>;
 
 /** Adds the blocks up, parallel over sites. O(entries d). */

@@ -213,6 +213,5 @@ void FacetDecomposition<D>::tile()
 
 template class FacetDecomposition<3>;
 template class FacetDecomposition<6>;
-template class FacetDecomposition<8>;
 template class FacetDecomposition<Eigen::Dynamic>;
 }

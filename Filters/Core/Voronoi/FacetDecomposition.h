@@ -90,7 +90,6 @@ private:
 
 extern template class FacetDecomposition<3>;
 extern template class FacetDecomposition<6>;
-extern template class FacetDecomposition<8>;
 extern template class FacetDecomposition<Eigen::Dynamic>;
 }
 

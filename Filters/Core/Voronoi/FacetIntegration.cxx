@@ -379,6 +379,5 @@ PieceIntegral FacetIntegration<D>::integralOf(int slot, const FacetConstants& fa
 
 template class FacetIntegration<3>;
 template class FacetIntegration<6>;
-template class FacetIntegration<8>;
 template class FacetIntegration<Eigen::Dynamic>;
 }

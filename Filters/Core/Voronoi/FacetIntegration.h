@@ -116,7 +116,6 @@ private:
 
 extern template class FacetIntegration<3>;
 extern template class FacetIntegration<6>;
-extern template class FacetIntegration<8>;
 extern template class FacetIntegration<Eigen::Dynamic>;
 }
 

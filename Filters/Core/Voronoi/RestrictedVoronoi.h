@@ -44,7 +44,7 @@ public:
     const EmbeddedSurface& surface, InstructionSet instructions = widestInstructionSet())
     : m_surface(surface)
     , m_instructions(instructions)
-    , m_lists(surface.patchLimit())
+    , m_lists(surface.patches.leastDistance())
   {
   }
 
