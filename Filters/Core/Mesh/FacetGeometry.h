@@ -50,9 +50,16 @@ inline Point3 doubleAreaVector(const Point3& a, const Point3& b, const Point3& c
   return edges.first.cross(edges.second);
 }
 
+/** Of a vector of any size. */
+inline double lengthOf(const Point3& v)
+{
+  const double squared = v.squaredNorm();
+  return squared > 1e-290 && squared < 1e290 ? std::sqrt(squared) : v.stableNorm();
+}
+
 inline double facetArea(const Point3& a, const Point3& b, const Point3& c)
 {
-  return 0.5 * doubleAreaVector(a, b, c).stableNorm();
+  return 0.5 * lengthOf(doubleAreaVector(a, b, c));
 }
 
 /** Unit normal; zero if the points are collinear: the sine of the angle is below 1e-150. */
@@ -81,8 +88,8 @@ inline bool hasArea(const Point3& a, const Point3& b, const Point3& c)
   constexpr double roundingOfSine = 1e-15; // 4.5 units in the last place of 1
   constexpr double leastWidth = 1e-30;     // squares of areas stay normal numbers
   const ShortEdges edges = shortEdges(a, b, c);
-  const double first = edges.first.stableNorm();
-  const double second = edges.second.stableNorm();
+  const double first = lengthOf(edges.first);
+  const double second = lengthOf(edges.second);
   if (!(std::min(first, second) > leastWidth * std::max(first, second)))
   {
     return false;

@@ -8,18 +8,18 @@
 #include "Placement/FitSystem.h"
 
 #include "Mesh/FacetGeometry.h"
-#include "Placement/StarFeet.h"
-#include "Placement/SurfaceSamples.h"
+#include "Placement/StarFit.h"
 #include "Support/Grouping.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace remesh
 {
 namespace
 {
-constexpr Offset verticesPerBlock = 512;
 constexpr Offset blocksPerGroup = 64;
 /**
  * The springs' stiffness, as shares of a vertex's own weight: in proportion to what the surface
@@ -29,34 +29,6 @@ constexpr double stiffnessPerVariation = 0.022;
 constexpr double leastStiffness = 3e-6;
 constexpr double mostStiffness = 3e-3;
 constexpr double dampingShare = 0.3; // of the stiffness
-
-/** What the samples of one block add to one triangle. */
-struct TriangleSums
-{
-  Symmetric3 pairs[6]; ///< corners 00, 11, 22, then edges 01, 12, 20
-  Point3 slopes[3];
-  Point3 normal;
-  double weights[3]; ///< sums of W w_k^2
-};
-
-struct BlockTriangles
-{
-  std::vector<Index> triangles;
-  std::vector<TriangleSums> sums;
-};
-
-/** Where a thread keeps the slots of the block it works on. */
-struct SlotScratch
-{
-  std::vector<Index> slotOfTriangle; ///< T, noIndex where the block has none
-};
-
-Symmetric3 outerProduct(const Point3& n)
-{
-  Symmetric3 product;
-  product << n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2];
-  return product;
-}
 
 Eigen::Matrix3d matrixOf(const Symmetric3& a)
 {
@@ -71,61 +43,12 @@ Point3 multiply(const Symmetric3& a, const Point3& x)
     a[2] * x[0] + a[4] * x[1] + a[5] * x[2] };
 }
 
-void addSample(
-  const SurfaceSample& sample, const double b[3], const Point3& place, TriangleSums& sums)
+Symmetric3 symmetric(const double (&row)[lanes])
 {
-  const Symmetric3 outer = sample.weight * outerProduct(sample.normal);
-  const Point3 slope = (sample.weight * sample.normal.dot(sample.point - place)) * sample.normal;
-  for (int k = 0; k < 3; ++k)
-  {
-    sums.pairs[k] += b[k] * b[k] * outer;
-    sums.pairs[3 + k] += b[k] * b[(k + 1) % 3] * outer;
-    sums.slopes[k] += b[k] * slope;
-    sums.weights[k] += b[k] * b[k] * sample.weight;
-  }
-  sums.normal += sample.weight * sample.normal;
+  return Eigen::Map<const Symmetric3>(row);
 }
 
-void sumBlock(const PlacementProblem& problem, const VertexStars& stars,
-  const std::vector<Point3>& positions, const std::vector<Point3>& normals, int samples,
-  Offset begin, Offset end, SlotScratch& scratch, BlockTriangles& block)
-{
-  StarFeet feet(problem, stars, positions, normals);
-  for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex)
-  {
-    feet.enter(vertex);
-    forEachSample(problem, vertex, samples,
-      [&](const SurfaceSample& sample)
-      {
-        const Foot foot = feet.find(sample.point, sample.normal);
-        if (foot.triangle == noIndex)
-        {
-          return;
-        }
-        Index& slot = scratch.slotOfTriangle[foot.triangle];
-        if (slot == noIndex)
-        {
-          slot = static_cast<Index>(block.sums.size());
-          block.triangles.push_back(foot.triangle);
-          TriangleSums& fresh = block.sums.emplace_back();
-          std::fill_n(fresh.pairs, 6, Symmetric3::Zero());
-          std::fill_n(fresh.slopes, 3, Point3::Zero());
-          std::fill_n(fresh.weights, 3, 0.0);
-          fresh.normal.setZero();
-        }
-        const auto& [i, j, k] = problem.triangles[foot.triangle];
-        const Point3 place =
-          foot.b[0] * positions[i] + foot.b[1] * positions[j] + foot.b[2] * positions[k];
-        addSample(sample, foot.b, place, block.sums[slot]);
-      });
-  }
-  for (const Index triangle : block.triangles)
-  {
-    scratch.slotOfTriangle[triangle] = noIndex;
-  }
-}
-
-void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const BlockTriangles& block,
+void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const BlockSums& block,
   FitSystem& system)
 {
   for (std::size_t s = 0; s < block.triangles.size(); ++s)
@@ -135,12 +58,12 @@ void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const Blo
     for (int k = 0; k < 3; ++k)
     {
       const Index vertex = problem.triangles[t][k];
-      system.vertexBlocks[vertex] += sums.pairs[k];
-      system.slopes[vertex] += sums.slopes[k];
-      system.weights[vertex] += sums.weights[k];
-      system.edgeBlocks[edges.facetEdges[t][k]] += sums.pairs[3 + k];
+      system.vertexBlocks[vertex] += symmetric(sums.pairs[k]);
+      system.weights[vertex] += sums.pairs[k][6];
+      system.edgeBlocks[edges.facetEdges[t][k]] += symmetric(sums.pairs[3 + k]);
+      system.slopes[vertex] += Eigen::Map<const Point3>(sums.slopes[k]);
+      system.triangleNormals[t] += Eigen::Map<const Point3>(sums.slopes[k] + 3);
     }
-    system.triangleNormals[t] += sums.normal;
   }
 }
 
@@ -294,44 +217,40 @@ FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
 }
 
 bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, const EdgeTable& edges,
-  const std::vector<Point3>& positions, const std::vector<Point3>& shapes, int samples,
+  const std::vector<Point3>& positions, const std::vector<Point3>& shapes, FitSamples& samples,
   const RunControl& control, FitSystem& system)
 {
-  const auto count = static_cast<std::size_t>(problem.numberOfVertices());
-  system.vertexBlocks.assign(count, Symmetric3::Zero());
+  const auto vertices = static_cast<std::size_t>(problem.numberOfVertices());
+  system.vertexBlocks.assign(vertices, Symmetric3::Zero());
   system.edgeBlocks.assign(static_cast<std::size_t>(edges.numberOfEdges()), Symmetric3::Zero());
-  system.slopes.assign(count, Point3::Zero());
-  system.weights.assign(count, 0.0);
+  system.slopes.assign(vertices, Point3::Zero());
+  system.weights.assign(vertices, 0.0);
   system.triangleNormals.assign(problem.triangles.size(), Point3::Zero());
   const std::vector<Point3> normals = normalsOf(problem, positions);
-  const Blocks blocks{ problem.numberOfVertices(), verticesPerBlock };
-  ScratchPool<SlotScratch> pool(
-    [&]()
-    {
-      return std::make_unique<SlotScratch>(
-        SlotScratch{ std::vector<Index>(problem.triangles.size(), noIndex) });
-    });
-  for (Offset first = 0; first < blocks.count(); first += blocksPerGroup)
+  ScratchPool<StarFit> pool(
+    [&]() { return std::make_unique<StarFit>(problem, stars, positions, normals); });
+  const Offset count = samples.blocks().count();
+  for (Offset first = 0; first < count; first += blocksPerGroup)
   {
-    const Offset size = std::min(blocksPerGroup, blocks.count() - first);
-    std::vector<BlockTriangles> sums(static_cast<std::size_t>(size));
+    const Offset size = std::min(blocksPerGroup, count - first);
+    std::vector<BlockSums> sums(static_cast<std::size_t>(size));
     if (!forEachBlock(size, control.silent(),
           [&](Offset block)
           {
-            const auto scratch = pool.borrow();
-            sumBlock(problem, stars, positions, normals, samples, blocks.begin(first + block),
-              blocks.end(first + block), *scratch, sums[block]);
+            const auto fit = pool.borrow();
+            fit->sum(static_cast<Index>(samples.blocks().begin(first + block)),
+              samples.of(first + block, fit->scratch), sums[block]);
           }))
     {
       return false;
     }
-    for (const BlockTriangles& block : sums)
+    for (const BlockSums& block : sums)
     {
       addBlock(problem, edges, block, system);
     }
   }
-  system.frozen.assign(count, 0);
-  for (std::size_t v = 0; v < count; ++v)
+  system.frozen.assign(vertices, 0);
+  for (std::size_t v = 0; v < vertices; ++v)
   {
     system.frozen[v] = problem.isFixed(v) || !(system.weights[v] > 0.0);
   }

@@ -6,7 +6,7 @@
 #define remesh_FitSystem_h
 
 #include "Mesh/EdgeTable.h"
-#include "Placement/PlacementProblem.h"
+#include "Placement/FitSamples.h"
 #include "Support/ConjugateGradients.h"
 
 #include <Eigen/Core>
@@ -55,14 +55,13 @@ FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
  * face the same way (so never to another sheet), and sums up the system.
  *
  * @param shapes K, the positions whose shapes the springs keep.
- * @param samples of each vertex (SurfaceSamples.h).
  * Cost: O(samples). Parallel over blocks of vertices, whose sums are added in a fixed order.
  *
  * @return false when cancelled.
  */
 [[nodiscard]] bool assembleFit(const PlacementProblem& problem, const VertexStars& stars,
   const EdgeTable& edges, const std::vector<Point3>& positions, const std::vector<Point3>& shapes,
-  int samples, const RunControl& control, FitSystem& system);
+  FitSamples& samples, const RunControl& control, FitSystem& system);
 }
 
 #endif

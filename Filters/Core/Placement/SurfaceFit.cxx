@@ -3,6 +3,8 @@
 #include "Placement/FitSystem.h"
 #include "Placement/StepLimit.h"
 
+#include <optional>
+
 namespace remesh
 {
 namespace
@@ -21,10 +23,15 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   const EdgeTable edges = buildEdgeTable(problem.triangles);
   FitSystem system = makeFitSystem(problem, edges);
+  std::optional<FitSamples> samples;
+  samples.emplace(problem, coarseSamples);
   for (int round = 0; round < rounds; ++round)
   {
-    const int samples = round + fineRounds < rounds ? coarseSamples : samplesPerVertex;
-    if (!assembleFit(problem, stars, edges, positions, shapes, samples, control, system))
+    if (round + fineRounds == rounds)
+    {
+      samples.emplace(problem, samplesPerVertex);
+    }
+    if (!assembleFit(problem, stars, edges, positions, shapes, *samples, control, system))
     {
       return Status::cancelled();
     }

@@ -59,6 +59,18 @@ using LaneBits = unsigned long long __attribute__((vector_size(8 * lanes)));
   std::memcpy(to, &bits, sizeof bits);
 }
 
+/** Takes over the chosen lanes of other values. */
+[[gnu::always_inline]] inline void replaceChosen(
+  const Lanes& by, const LaneBits& chosen, Lanes& values)
+{
+  LaneBits bits;
+  LaneBits others;
+  std::memcpy(&bits, &by, sizeof by);
+  std::memcpy(&others, &values, sizeof values);
+  bits = (bits & chosen) | (others & ~chosen);
+  std::memcpy(&values, &bits, sizeof bits);
+}
+
 /** One bit for each lane that is set. */
 [[gnu::always_inline]] inline unsigned bitsOf(const LaneBits& set)
 {

@@ -1,0 +1,75 @@
+#include "Placement/FitSamples.h"
+
+#include "Placement/SurfaceSamples.h"
+
+namespace remesh
+{
+namespace
+{
+constexpr Offset verticesPerBlock = 512;
+
+void setLane(float (&columns)[3][lanes], std::size_t lane, const Point3& value)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    columns[k][lane] = static_cast<float>(value[k]);
+  }
+}
+}
+
+void SampleBlock::clear()
+{
+  this->groups.clear();
+  this->begins.assign(1, 0);
+  this->counts.clear();
+}
+
+FitSamples::FitSamples(const PlacementProblem& problem, int samples, double mostBytes)
+  : m_problem(problem)
+  , m_samples(samples)
+  , m_blocks{ problem.numberOfVertices(), verticesPerBlock }
+{
+  const double groups =
+    (static_cast<double>(samples) / lanes + 0.5) * static_cast<double>(problem.numberOfVertices());
+  if (groups * sizeof(SampleGroup) <= mostBytes)
+  {
+    m_kept.resize(static_cast<std::size_t>(m_blocks.count()));
+  }
+}
+
+const SampleBlock& FitSamples::of(Offset block, SampleBlock& scratch)
+{
+  SampleBlock& made = m_kept.empty() ? scratch : m_kept[static_cast<std::size_t>(block)];
+  if (m_kept.empty() || made.begins.empty())
+  {
+    this->make(block, made);
+  }
+  return made;
+}
+
+void FitSamples::make(Offset block, SampleBlock& made) const
+{
+  made.clear();
+  for (auto vertex = static_cast<Index>(m_blocks.begin(block));
+       vertex < static_cast<Index>(m_blocks.end(block)); ++vertex)
+  {
+    const Point3& origin = m_problem.components.centroids[vertex];
+    std::size_t count = 0;
+    forEachSample(m_problem, vertex, m_samples,
+      [&](const SurfaceSample& sample)
+      {
+        const std::size_t lane = count++ % lanes;
+        if (lane == 0)
+        {
+          made.groups.push_back({});
+        }
+        SampleGroup& group = made.groups.back();
+        setLane(group.offset, lane, sample.point - origin);
+        setLane(group.normal, lane, sample.normal);
+        group.weight[lane] = static_cast<float>(sample.weight);
+      });
+    made.begins.push_back(static_cast<Index>(made.groups.size()));
+    made.counts.push_back(static_cast<Index>(count));
+  }
+}
+}

@@ -1,0 +1,64 @@
+/**
+ * @file FitSamples.h
+ * @brief The surface's samples (SurfaceSamples.h) as the fit reads them, round after round.
+ *
+ * They are put together by blocks of vertices, eight side by side, in single precision relative to
+ * their cell, and kept from round to round where that takes little memory.
+ */
+#ifndef remesh_FitSamples_h
+#define remesh_FitSamples_h
+
+#include "Placement/PlacementProblem.h"
+#include "Support/Lanes.h"
+#include "Support/Parallel.h"
+
+namespace remesh
+{
+/** Samples side by side; places without one are zero. */
+struct SampleGroup
+{
+  float offset[3][lanes]; ///< from the centroid of the vertex's component
+  float normal[3][lanes]; ///< unit, of the facet
+  float weight[lanes];    ///< area
+};
+
+/** The samples of consecutive vertices. */
+struct SampleBlock
+{
+  std::vector<SampleGroup> groups;
+  std::vector<Index> begins; ///< first group of each vertex, and the end
+  std::vector<Index> counts; ///< samples of each vertex
+
+  void clear();
+};
+
+class FitSamples
+{
+public:
+  static constexpr double usualBytes = 256.0 * (1 << 20);
+
+  /**
+   * @param samples of each vertex, see forEachSample.
+   * @param mostBytes that they may take to be kept.
+   */
+  FitSamples(const PlacementProblem& problem, int samples, double mostBytes = usualBytes);
+
+  const Blocks& blocks() const { return m_blocks; }
+
+  /**
+   * The samples of a block's vertices: made when first asked for and kept, or made in `scratch`
+   * each time where all would take too much memory. Each block by one thread at a time.
+   */
+  const SampleBlock& of(Offset block, SampleBlock& scratch);
+
+private:
+  void make(Offset block, SampleBlock& made) const;
+
+  const PlacementProblem& m_problem;
+  int m_samples;
+  Blocks m_blocks;
+  std::vector<SampleBlock> m_kept; ///< none where they are not kept
+};
+}
+
+#endif

@@ -1,0 +1,119 @@
+#include "Placement/StarFit.h"
+
+#include "Mesh/ClosestPoint.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace remesh
+{
+namespace
+{
+void copy(const Point3& from, double (&to)[3])
+{
+  std::copy_n(from.data(), 3, to);
+}
+
+Point3 inLane(const float (&columns)[3][lanes], int lane)
+{
+  return { columns[0][lane], columns[1][lane], columns[2][lane] };
+}
+
+int cornerOf(Index vertex, const Triple& triangle)
+{
+  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
+}
+}
+
+void StarFit::sum(Index firstVertex, const SampleBlock& samples, BlockSums& block)
+{
+  for (std::size_t v = 0; v < samples.counts.size(); ++v)
+  {
+    this->enter(firstVertex + static_cast<Index>(v), block);
+    const SampleGroup* groups = samples.groups.data() + samples.begins[v];
+    m_others.resize(static_cast<std::size_t>(samples.counts[v]));
+    const Point3 shift = m_problem.components.centroids[m_center] - m_positions[m_center];
+    const Index others = m_sum(
+      { m_star, groups, samples.counts[v], shift.data(), block.sums.data(), m_others.data() });
+    for (Index k = 0; k < others; ++k)
+    {
+      this->addClosest(groups[m_others[k] / lanes], m_others[k] % lanes, block);
+    }
+  }
+  for (const Index triangle : block.triangles)
+  {
+    m_slots[triangle] = noIndex;
+  }
+}
+
+void StarFit::enter(Index vertex, BlockSums& block)
+{
+  m_center = vertex;
+  m_star.clear();
+  for (Offset k = m_stars.begin(vertex); k < m_stars.end(vertex); ++k)
+  {
+    const Index t = m_stars.triangles[k];
+    if (m_normals[t].isZero(0.0))
+    {
+      continue;
+    }
+    if (m_slots[t] == noIndex)
+    {
+      m_slots[t] = static_cast<Index>(block.sums.size());
+      block.triangles.push_back(t);
+      block.sums.push_back({});
+    }
+    const Triple& corners = m_problem.triangles[t];
+    StarTriangle& triangle = m_star.emplace_back(StarTriangle{});
+    triangle.sums = m_slots[t];
+    triangle.corner = cornerOf(vertex, corners);
+    const Point3 u = m_positions[corners[(triangle.corner + 1) % 3]] - m_positions[vertex];
+    const Point3 v = m_positions[corners[(triangle.corner + 2) % 3]] - m_positions[vertex];
+    const double uu = u.squaredNorm();
+    const double uv = u.dot(v);
+    const double vv = v.squaredNorm();
+    const double determinant = uu * vv - uv * uv;
+    if (determinant > 0.0)
+    {
+      copy((vv * u - uv * v) / determinant, triangle.first);
+      copy((uu * v - uv * u) / determinant, triangle.second);
+      copy(m_normals[t], triangle.normal);
+    }
+  }
+}
+
+void StarFit::addClosest(const SampleGroup& group, int lane, BlockSums& block) const
+{
+  const Point3 point = m_problem.components.centroids[m_center] + inLane(group.offset, lane);
+  const Point3 normal = inLane(group.normal, lane);
+  double nearest = std::numeric_limits<double>::infinity();
+  ClosestPoint foot{};
+  Index at = noIndex;
+  for (const StarTriangle& star : m_star)
+  {
+    const Index t = block.triangles[star.sums];
+    if (!(m_normals[t].dot(normal) > 0.0))
+    {
+      continue;
+    }
+    const auto& [i, j, k] = m_problem.triangles[t];
+    const ClosestPoint closest =
+      closestOnTriangle(point, m_positions[i], m_positions[j], m_positions[k]);
+    if (closest.squared < nearest)
+    {
+      nearest = closest.squared;
+      foot = closest;
+      at = star.sums;
+    }
+  }
+  if (at != noIndex)
+  {
+    const auto& [i, j, k] = m_problem.triangles[block.triangles[at]];
+    const Point3 place =
+      foot.b[0] * m_positions[i] + foot.b[1] * m_positions[j] + foot.b[2] * m_positions[k];
+    addSample(normal.data(), group.weight[lane], foot.b, normal.dot(point - place), block.sums[at]);
+  }
+}
+}

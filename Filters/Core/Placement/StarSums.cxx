@@ -1,0 +1,188 @@
+#include "Placement/StarSums.h"
+
+namespace remesh
+{
+namespace
+{
+using FloatLanes = float __attribute__((vector_size(4 * lanes)));
+
+struct Summation
+{
+  [[gnu::always_inline]] static inline int next(int corner) { return corner < 2 ? corner + 1 : 0; }
+
+  [[gnu::always_inline]] static inline void widen(const float* from, Lanes& to)
+  {
+    FloatLanes narrow;
+    std::memcpy(&narrow, from, sizeof narrow);
+    to = __builtin_convertvector(narrow, Lanes);
+  }
+
+  [[gnu::always_inline]] static inline void multiply(
+    const double (&a)[3], const Lanes (&b)[3], Lanes& product)
+  {
+    product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  /** Of eight samples: what is multiplied by b_i b_j, then what is multiplied by b_i. */
+  [[gnu::always_inline]] static inline void findTerms(
+    const Lanes (&normal)[3], const Lanes& weight, const Lanes& residual, Lanes (&terms)[2 * lanes])
+  {
+    const Lanes x = weight * normal[0];
+    const Lanes y = weight * normal[1];
+    const Lanes z = weight * normal[2];
+    terms[0] = x * normal[0];
+    terms[1] = x * normal[1];
+    terms[2] = x * normal[2];
+    terms[3] = y * normal[1];
+    terms[4] = y * normal[2];
+    terms[5] = z * normal[2];
+    terms[6] = weight;
+    terms[7] = Lanes{};
+    terms[8] = x * residual;
+    terms[9] = y * residual;
+    terms[10] = z * residual;
+    terms[11] = x;
+    terms[12] = y;
+    terms[13] = z;
+    terms[14] = Lanes{};
+    terms[15] = Lanes{};
+  }
+
+  [[gnu::always_inline]] static inline void addProduct(
+    double factor, const Lanes& terms, double (&sums)[lanes])
+  {
+    Lanes sum;
+    load(sums, sum);
+    sum += factor * terms;
+    store(sum, sums);
+  }
+
+  /** One sample, whose terms are in `lane` of the columns. */
+  [[gnu::always_inline]] static inline void add(
+    const double (&columns)[2 * lanes][lanes], int lane, const double (&b)[3], TriangleSums& sums)
+  {
+    Lanes quadratic;
+    Lanes linear;
+    for (int k = 0; k < lanes; ++k)
+    {
+      quadratic[k] = columns[k][lane];
+      linear[k] = columns[lanes + k][lane];
+    }
+    addProduct(b[0] * b[0], quadratic, sums.pairs[0]);
+    addProduct(b[1] * b[1], quadratic, sums.pairs[1]);
+    addProduct(b[2] * b[2], quadratic, sums.pairs[2]);
+    addProduct(b[0] * b[1], quadratic, sums.pairs[3]);
+    addProduct(b[1] * b[2], quadratic, sums.pairs[4]);
+    addProduct(b[2] * b[0], quadratic, sums.pairs[5]);
+    addProduct(b[0], linear, sums.slopes[0]);
+    addProduct(b[1], linear, sums.slopes[1]);
+    addProduct(b[2], linear, sums.slopes[2]);
+  }
+
+  [[gnu::always_inline]] static inline Index run(const StarTask& task)
+  {
+    Index others = 0;
+    for (Index begin = 0; begin < task.count; begin += lanes)
+    {
+      const SampleGroup& group = task.groups[begin / lanes];
+      Lanes way[3];
+      Lanes normal[3];
+      Lanes weight;
+      for (int k = 0; k < 3; ++k)
+      {
+        widen(group.offset[k], way[k]);
+        way[k] += task.shift[k];
+        widen(group.normal[k], normal[k]);
+      }
+      widen(group.weight, weight);
+
+      Lanes nearest = Lanes{} + std::numeric_limits<double>::infinity();
+      Lanes first{};
+      Lanes second{};
+      Lanes residual{};
+      LaneBits at = LaneBits{} - 1ULL;
+      unsigned long long number = 0;
+      for (const StarTriangle& triangle : task.triangles)
+      {
+        Lanes u;
+        Lanes v;
+        Lanes height;
+        Lanes facing;
+        multiply(triangle.first, way, u);
+        multiply(triangle.second, way, v);
+        multiply(triangle.normal, way, height);
+        multiply(triangle.normal, normal, facing);
+        LaneBits outside;
+        LaneBits negative;
+        findNegative(u, outside);
+        findNegative(v, negative);
+        outside |= negative;
+        findNegative(1.0 - u - v, negative);
+        outside |= negative;
+        findNegative(0.0 - facing, negative);
+        outside |= ~negative; // where it does not face along
+        const Lanes squared = height * height;
+        findNegative(squared - nearest, negative);
+        const LaneBits nearer = negative & ~outside;
+        replaceChosen(squared, nearer, nearest);
+        replaceChosen(u, nearer, first);
+        replaceChosen(v, nearer, second);
+        replaceChosen(height * facing, nearer, residual);
+        at = (at & ~nearer) | (nearer & number);
+        ++number;
+      }
+
+      Lanes terms[2 * lanes];
+      findTerms(normal, weight, residual, terms);
+      double columns[2 * lanes][lanes];
+      for (int k = 0; k < 2 * lanes; ++k)
+      {
+        store(terms[k], columns[k]);
+      }
+      double firsts[lanes];
+      double seconds[lanes];
+      unsigned long long triangles[lanes];
+      store(first, firsts);
+      store(second, seconds);
+      std::memcpy(triangles, &at, sizeof triangles);
+      const int size = static_cast<int>(task.count - begin < lanes ? task.count - begin : lanes);
+      for (int lane = 0; lane < size; ++lane)
+      {
+        if (triangles[lane] >= number)
+        {
+          task.others[others++] = begin + lane;
+          continue;
+        }
+        const StarTriangle& triangle = task.triangles[triangles[lane]];
+        double b[3];
+        b[triangle.corner] = 1.0 - firsts[lane] - seconds[lane];
+        b[next(triangle.corner)] = firsts[lane];
+        b[next(next(triangle.corner))] = seconds[lane];
+        add(columns, lane, b, task.sums[triangle.sums]);
+      }
+    }
+    return others;
+  }
+};
+}
+
+StarSummation starSummation(InstructionSet set)
+{
+  return CompiledFor<Summation, const StarTask&>::select(set);
+}
+
+void addSample(
+  const double normal[3], double weight, const double b[3], double residual, TriangleSums& sums)
+{
+  const Lanes around[3] = { Lanes{} + normal[0], Lanes{} + normal[1], Lanes{} + normal[2] };
+  Lanes terms[2 * lanes];
+  Summation::findTerms(around, Lanes{} + weight, Lanes{} + residual, terms);
+  double columns[2 * lanes][lanes];
+  for (int k = 0; k < 2 * lanes; ++k)
+  {
+    store(terms[k], columns[k]);
+  }
+  const double weights[3] = { b[0], b[1], b[2] };
+  Summation::add(columns, 0, weights, sums);
+}
+}
