@@ -2,6 +2,7 @@
 
 #include "Embedding/Distance.h"
 #include "Support/Parallel.h"
+#include "Voronoi/NearbySites.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,17 +196,23 @@ bool NeighborLists::worn() const
   return static_cast<double>(worn) > mostWorn * static_cast<double>(count);
 }
 
-void NeighborLists::buildList(Index site, const Place& like, std::vector<Neighbor>& found)
+double NeighborLists::radiusLike(const Place& like) const
+{
+  // In two dimensions the number of sites grows with the square of the radius.
+  return like.count > 0 && like.reach < m_limit
+    ? std::min(m_limit, like.reach * std::sqrt(wantedWithin / (like.count + 1.0)))
+    : 0.0;
+}
+
+void NeighborLists::buildList(
+  Index site, double radius, NearbySites& nearby, std::vector<Neighbor>& found)
 {
   const auto length = static_cast<std::size_t>(m_length);
   Place& place = m_places[site];
-  double radius = 0.0;
   found.clear();
-  if (like.count > 0 && like.reach < m_limit)
+  if (radius > 0.0)
   {
-    // In two dimensions the number of sites grows with the square of the radius.
-    radius = std::min(m_limit, like.reach * std::sqrt(wantedWithin / (like.count + 1.0)));
-    m_search->within(m_built.site(site), radius, found);
+    nearby.within(site, radius, found);
     found.erase(std::remove_if(found.begin(), found.end(),
                   [site](const Neighbor& neighbor) { return neighbor.site == site; }),
       found.end());
@@ -251,14 +258,19 @@ Status NeighborLists::build(const Sites& sites, const RunControl& control)
   const bool done = forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)
     {
+      NearbySites nearby(*m_search, m_built);
       std::vector<Neighbor> found;
-      for (Offset site = begin; site < end; ++site)
-      {
-        // Its own last list, or that of the site before, which is near as a rule, tells how far to
-        // look.
-        const Place like = known ? m_places[site] : site > begin ? m_places[site - 1] : Place{};
-        this->buildList(static_cast<Index>(site), like, found);
-      }
+      double former = 0.0; // nothing is known yet
+      // Its own last list, or that of a site before, which is near as a rule, tells how far to
+      // look.
+      const auto radius = [&](Index site)
+      { return known ? this->radiusLike(m_places[site]) : former; };
+      nearby.forEach(static_cast<Index>(begin), static_cast<Index>(end), radius,
+        [&](Index site, double within)
+        {
+          this->buildList(site, within, nearby, found);
+          former = this->radiusLike(m_places[site]);
+        });
     });
   if (!done)
   {

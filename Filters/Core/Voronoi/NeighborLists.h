@@ -27,6 +27,8 @@
 
 namespace remesh
 {
+class NearbySites;
+
 /** The first neighbours of a site, itself left out, by distances when the list was built. */
 struct NeighborList
 {
@@ -104,7 +106,8 @@ private:
   bool findLeapers(const Sites& sites, const RunControl& control);
   double meanReach() const;
   bool worn() const;
-  void buildList(Index site, const Place& like, std::vector<Neighbor>& found);
+  double radiusLike(const Place& like) const;
+  void buildList(Index site, double radius, NearbySites& nearby, std::vector<Neighbor>& found);
 
   double m_limit;
   Sites m_built; ///< the sites when the lists were built

@@ -1,0 +1,93 @@
+#include "Voronoi/NearbySites.h"
+
+#include "Embedding/Distance.h"
+
+namespace remesh
+{
+namespace
+{
+/** Covers the rounding of three distances. */
+constexpr double aboveRounding = 1.0 + 1e-12;
+}
+
+/** The box around some sites, and its longest side. */
+int NearbySites::measure(const Index* begin, const Index* end)
+{
+  const double* first = m_sites.site(*begin);
+  std::copy_n(first, m_lower.size(), m_lower.begin());
+  std::copy_n(first, m_upper.size(), m_upper.begin());
+  for (const Index* site = begin + 1; site != end; ++site)
+  {
+    const double* x = m_sites.site(*site);
+    for (std::size_t k = 0; k < m_lower.size(); ++k)
+    {
+      m_lower[k] = std::min(m_lower[k], x[k]);
+      m_upper[k] = std::max(m_upper[k], x[k]);
+    }
+  }
+  int longest = 0;
+  for (std::size_t k = 1; k < m_lower.size(); ++k)
+  {
+    longest =
+      m_upper[k] - m_lower[k] > m_upper[longest] - m_lower[longest] ? static_cast<int>(k) : longest;
+  }
+  return longest;
+}
+
+/**
+ * Whether one search serves all; a single site always. Replaces the box by its middle and tells how
+ * far the sites are from there.
+ */
+bool NearbySites::lieTogether(const Index* begin, const Index* end, double radius, double& reach)
+{
+  for (std::size_t k = 0; k < m_lower.size(); ++k)
+  {
+    m_lower[k] = end - begin == 1 ? m_lower[k] : 0.5 * (m_lower[k] + m_upper[k]);
+  }
+  double farthest = 0.0;
+  for (const Index* site = begin; site != end; ++site)
+  {
+    farthest = std::max(farthest,
+      squaredDistance<Eigen::Dynamic>(m_sites.site(*site), m_lower.data(), m_sites.dimension));
+  }
+  reach = std::sqrt(farthest);
+  return end - begin == 1 || reach <= farthestTogether * radius;
+}
+
+void NearbySites::gather(double reach)
+{
+  m_search.within(m_lower.data(), aboveRounding * reach, m_candidates);
+  const auto d = static_cast<std::size_t>(m_sites.dimension);
+  const std::size_t groups = (m_candidates.size() + lanes - 1) / lanes;
+  m_coordinates.assign(groups * lanes * d, 0.0);
+  m_squared.resize(groups * lanes);
+  for (std::size_t c = 0; c < m_candidates.size(); ++c)
+  {
+    const double* x = m_sites.site(m_candidates[c].site);
+    double* to = m_coordinates.data() + c / lanes * lanes * d + c % lanes;
+    for (std::size_t k = 0; k < d; ++k)
+    {
+      to[k * lanes] = x[k];
+    }
+  }
+}
+
+void NearbySites::within(Index site, double radius, std::vector<Neighbor>& found)
+{
+  m_evaluate({ m_coordinates.data(), static_cast<int>(m_squared.size() / lanes), m_sites.dimension,
+    m_sites.site(site), m_squared.data() });
+  const double most = radius * radius;
+  found.resize(m_candidates.size() + 1);
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < m_candidates.size(); ++c)
+  {
+    found[count] = { m_candidates[c].site, m_squared[c] };
+    count += m_squared[c] < most ? 1 : 0; // no branch to foresee
+  }
+  found.resize(count);
+  for (Neighbor& neighbor : found)
+  {
+    neighbor.distance = std::sqrt(neighbor.distance);
+  }
+}
+}

@@ -1,0 +1,32 @@
+#include "Voronoi/SiteDistances.h"
+
+namespace remesh
+{
+namespace
+{
+struct Evaluation
+{
+  [[gnu::always_inline]] static inline void run(const SiteDistances& task)
+  {
+    const double* from = task.coordinates;
+    for (int group = 0; group < task.numberOfGroups; ++group)
+    {
+      Lanes sum{};
+      for (int k = 0; k < task.dimension; ++k, from += lanes)
+      {
+        Lanes difference;
+        load(from, difference);
+        difference -= task.point[k];
+        sum += difference * difference;
+      }
+      store(sum, task.squared + static_cast<long>(group) * lanes);
+    }
+  }
+};
+}
+
+SiteDistanceEvaluation siteDistanceEvaluation(InstructionSet set)
+{
+  return CompiledFor<Evaluation, const SiteDistances&>::select(set);
+}
+}
