@@ -39,7 +39,7 @@ void testSums()
         const Index facet = expected.diagram.facets[p];
         const PieceIntegral& integral = expected.diagram.integrals[p];
         mass[expected.diagram.sites[p]] +=
-          densities[facet] * integral.fraction * plain.constants[facet].mass;
+          densities[facet] * integral.fraction() * plain.constants[facet].mass;
         energy[expected.diagram.sites[p]] += densities[facet] * integral.energy;
         total += densities[facet] * integral.energy;
       }

@@ -210,8 +210,8 @@ inline void checkTotals(
   for (Offset p = 0; p < result.diagram.numberOfPieces(); ++p)
   {
     const PieceIntegral& integral = result.diagram.integrals[p];
-    pieceMass += integral.fraction * surface.constants[result.diagram.facets[p]].mass;
-    pieceArea += integral.fraction * surface.constants[result.diagram.facets[p]].area;
+    pieceMass += integral.fraction() * surface.constants[result.diagram.facets[p]].mass;
+    pieceArea += integral.fraction() * surface.constants[result.diagram.facets[p]].area;
     pieceEnergy += integral.energy;
   }
   const CellSums& sums = result.sums;

@@ -166,7 +166,7 @@ void testTracing()
       const PieceIntegral exact =
         polygon.empty() ? PieceIntegral() : integratePiece(tiling, FacetConstants(), polygon, i);
       const double* moments = envelope->moments[i];
-      worst = std::max({ worst, std::abs(moments[0] - exact.fraction),
+      worst = std::max({ worst, std::abs(moments[0] - exact.fraction()),
         std::abs(moments[1] - exact.weights[1]), std::abs(moments[2] - exact.weights[2]) });
     }
   }
@@ -239,7 +239,6 @@ void compareFacets(const EmbeddedSurface& surface, const Sites& sites, Tally& ta
     for (const auto& [site, part] : parts)
     {
       PieceIntegral& rest = difference[site];
-      rest.fraction -= part.fraction;
       rest.energy -= part.energy;
       for (int k = 0; k < 3; ++k)
       {
@@ -248,7 +247,7 @@ void compareFacets(const EmbeddedSurface& surface, const Sites& sites, Tally& ta
     }
     for (const auto& [site, rest] : difference)
     {
-      tally.worst = std::max({ tally.worst, std::abs(rest.fraction), std::abs(rest.weights[0]),
+      tally.worst = std::max({ tally.worst, std::abs(rest.fraction()), std::abs(rest.weights[0]),
         std::abs(rest.weights[1]), std::abs(rest.weights[2]),
         std::abs(rest.energy) / (constants.mass * reach2 + 1e-300) });
     }

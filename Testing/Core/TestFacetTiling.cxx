@@ -97,7 +97,7 @@ Tiling tile(const std::vector<FacetSite>& sites, double& fractions)
     if (!piece.empty())
     {
       result[tiling.site(i).id] = piece;
-      fractions += integratePiece(tiling, constants(), polygon, i).fraction;
+      fractions += integratePiece(tiling, constants(), polygon, i).fraction();
     }
   }
   return result;

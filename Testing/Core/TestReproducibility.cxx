@@ -52,7 +52,7 @@ public:
 
   void add(const PieceIntegral& integral)
   {
-    this->add(integral.fraction);
+    this->add(integral.fraction());
     this->add(integral.weights);
     this->add(integral.energy);
   }

@@ -88,7 +88,7 @@ inline void checkPiece(const PlacedDiagram& diagram, Offset piece)
   }
   CHECK(inside);
   CHECK(leastTurn > -1e-14);
-  CHECK_NEAR(integral.fraction, area, 1e-14);
+  CHECK_NEAR(integral.fraction(), area, 1e-14);
   CHECK_NEAR(integral.weights[0] + integral.weights[1] + integral.weights[2], area, 1e-14);
   CHECK(integral.energy > -1e-16);
 }
@@ -176,7 +176,7 @@ inline void checkTiling(const EmbeddedSurface& surface, const PlacedDiagram& dia
       CHECK_EQUAL(diagram.facets[p], facet);
       CHECK_EQUAL(diagram.pieceOf(facet, diagram.sites[p]), p);
       checkPiece(diagram, p);
-      fractions += diagram.integrals[p].fraction;
+      fractions += diagram.integrals[p].fraction();
       const std::vector<DiagramVertex> loop = loopOf(diagram, p);
       for (std::size_t v = 0; v + 1 < loop.size(); ++v)
       {

@@ -75,31 +75,8 @@ std::vector<Pair> findCrowded(const Seams* seams)
   return crowded;
 }
 
-/** Edges of the dual that have not just two triangles, each with their number, ascending. */
-std::vector<std::pair<Pair, Index>> findOddEdges(
-  const std::vector<Triple>& triangles, const RunControl& control)
-{
-  const EdgeTable edges = buildEdgeTable(triangles, control);
-  std::vector<std::pair<Pair, Index>> odd;
-  for (std::size_t t = 0; t < triangles.size() && !control.cancelled(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index edge = edges.facetEdges[t][k];
-      const bool first = edges.edgeFacets[edges.edgeFacetsBegin[edge]] == static_cast<Index>(t);
-      if (first && edges.valence(edge) != 2)
-      {
-        odd.emplace_back(
-          std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]), edges.valence(edge));
-      }
-    }
-  }
-  std::sort(odd.begin(), odd.end());
-  return odd;
-}
-
 /** Step 3: each edge has two ends, at most one of them on the border. */
-void checkEdges(const std::vector<std::pair<Pair, Index>>& odd, const std::vector<Pair>& crossings,
+void checkEdges(const std::vector<EdgeValence>& odd, const std::vector<Pair>& crossings,
   const std::vector<Pair>& crowded, Certificate& certificate)
 {
   const auto isBorder = [&](const Pair& edge)
@@ -170,11 +147,21 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
       static_cast<Index>(std::count(seams->components.begin(), seams->components.end(), noIndex));
     certificate.lostPoints += seams->isComplete ? 0 : 1;
   }
-  std::vector<Triple> meetings = dual.triangles;
-  meetings.insert(meetings.end(), dual.repeated.begin(), dual.repeated.end());
   const std::vector<Pair> crossings = findCrossings(edges, diagram, components, seams);
-  checkCells(isDisk, meetings, crossings, certificate);
-  checkEdges(findOddEdges(meetings, silent), crossings, findCrowded(seams), certificate);
+  const std::vector<Pair> crowded = findCrowded(seams);
+  if (dual.repeated.empty())
+  {
+    checkCells(isDisk, dual.triangles, crossings, certificate);
+    checkEdges(dual.oddEdges, crossings, crowded, certificate);
+  }
+  else
+  {
+    std::vector<Triple> meetings = dual.triangles;
+    meetings.insert(meetings.end(), dual.repeated.begin(), dual.repeated.end());
+    checkCells(isDisk, meetings, crossings, certificate);
+    checkEdges(
+      countEdgeValences(meetings, components.count(), silent).odd, crossings, crowded, certificate);
+  }
   certificate.vertices = dual.repeated;
   return control.cancelled() ? Status::cancelled() : Status::success();
 }

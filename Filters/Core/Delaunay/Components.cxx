@@ -186,8 +186,8 @@ void sumComponent(
     const Index facet = diagram.facets[piece];
     const PieceIntegral& integral = diagram.integrals[piece];
     const FacetConstants& constants = places.surface.constants[facet];
-    mass += integral.fraction * constants.mass;
-    area += integral.fraction * constants.area;
+    mass += integral.fraction() * constants.mass;
+    area += integral.fraction() * constants.area;
     energy += integral.energy;
     for (int k = 0; k < 3; ++k)
     {

@@ -2,7 +2,6 @@
 
 #include "Delaunay/HangingTriangles.h"
 #include "Mesh/Duplicates.h"
-#include "Mesh/EdgeTable.h"
 #include "Support/Grouping.h"
 #include "Support/SortUnique.h"
 
@@ -110,17 +109,16 @@ std::vector<Index> countUses(const std::vector<Triple>& triangles, Index numberO
 /** Counts what the triangles make. */
 Status examine(Index numberOfVertices, const RunControl& control, Dual& dual)
 {
-  const EdgeTable edges = buildEdgeTable(dual.triangles, control);
-  dual.numberOfNonManifoldEdges = countItems(edges.numberOfEdges(), control,
-    [&](Offset edge) { return edges.valence(static_cast<Index>(edge)) > 2; });
+  EdgeValences valences = countEdgeValences(dual.triangles, numberOfVertices, control);
+  dual.numberOfNonManifoldEdges = valences.numberOfNonManifold();
+  dual.oddEdges = std::move(valences.odd);
   if (control.cancelled())
   {
     return Status::cancelled();
   }
   const std::vector<Index> uses = countUses(dual.triangles, numberOfVertices);
   const auto used = static_cast<Offset>(uses.size()) - std::count(uses.begin(), uses.end(), 0);
-  dual.eulerCharacteristic =
-    used - edges.numberOfEdges() + static_cast<Offset>(dual.triangles.size());
+  dual.eulerCharacteristic = used - valences.edges + static_cast<Offset>(dual.triangles.size());
   return Status::success();
 }
 }

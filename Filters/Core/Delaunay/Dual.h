@@ -6,6 +6,7 @@
 #define remesh_Dual_h
 
 #include "Delaunay/Collar.h"
+#include "Mesh/EdgeValences.h"
 
 namespace remesh
 {
@@ -14,6 +15,7 @@ struct Dual
   std::vector<Triple> triangles; ///< components, oriented like the facet they come from
   /** Further points of three cells whose triangle was there already; sorted, and each ascending. */
   std::vector<Triple> repeated;
+  std::vector<EdgeValence> oddEdges;   ///< those that have not just two triangles, ascending
   Offset numberOfNonManifoldEdges = 0; ///< edges of more than two triangles
   Offset eulerCharacteristic = 0;      ///< used vertices - edges + triangles
 };

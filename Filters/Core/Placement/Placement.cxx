@@ -84,7 +84,7 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
     return status;
   }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
-  const std::vector<Point3> unknown(problem.triangles.size(), Point3::Zero());
+  const std::vector<Point3> unknown;
   return limitSteps(problem, stars, { start, unknown }, start, control, positions)
     ? Status::success()
     : Status::cancelled();

@@ -68,7 +68,9 @@ bool limitSteps(const PlacementProblem& problem, const VertexStars& stars,
           const Triple& triangle = problem.triangles[t];
           spoilt[t] = std::any_of(triangle.begin(), triangle.end(),
                         [&](Index v) { return changed[v] != 0; }) &&
-            isSpoilt(triangle, reference, reference.normals[t], before, goals);
+            isSpoilt(triangle, reference,
+              reference.normals.empty() ? Point3(Point3::Zero()) : reference.normals[t], before,
+              goals);
         }
       });
     if (!judged)

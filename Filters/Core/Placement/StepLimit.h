@@ -14,7 +14,8 @@ namespace remesh
 struct ShapeReference
 {
   const std::vector<Point3>& positions; ///< K, whose triangles have the shapes to keep
-  const std::vector<Point3>& normals;   ///< T, along the surface's normal; zero: unknown
+  const std::vector<Point3>& normals; ///< T, along the surface's normal, zero where it is unknown;
+                                      ///< or empty: all are
 };
 
 /**

@@ -68,7 +68,7 @@ void forEachSample(
     const Offset piece = components.pieces[p];
     const PieceIntegral& integral = diagram.integrals[piece];
     const Index facet = diagram.facets[piece];
-    const double area = integral.fraction * problem.surface.constants[facet].area;
+    const double area = integral.fraction() * problem.surface.constants[facet].area;
     if (!(area > 0.0))
     {
       continue;
@@ -90,7 +90,7 @@ void forEachSample(
     {
       sample.point = (integral.weights[0] * *corners[0] + integral.weights[1] * *corners[1] +
                        integral.weights[2] * *corners[2]) /
-        integral.fraction;
+        integral.fraction();
       sample.weight = carried;
       carried = 0.0;
       visit(sample);

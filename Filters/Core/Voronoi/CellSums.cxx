@@ -91,8 +91,8 @@ void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piec
   const int d = this->dimension();
   const FacetConstants& constants = m_surface.constants[facet];
   double* values = this->valuesOf(site);
-  values[0] += piece.fraction * constants.mass;
-  values[1] += piece.fraction * constants.area;
+  values[0] += piece.fraction() * constants.mass;
+  values[1] += piece.fraction() * constants.area;
   values[2] += piece.energy;
   if (m_gathers)
   {

@@ -363,7 +363,6 @@ PieceIntegral FacetIntegration<D>::integralOf(int slot, const FacetConstants& fa
   const double* moments = m_envelope.moments[slot];
   const double* e = facet.edge2;
   PieceIntegral integral;
-  integral.fraction = moments[0];
   integral.weights[0] = moments[0] - moments[1] - moments[2];
   integral.weights[1] = moments[1];
   integral.weights[2] = moments[2];

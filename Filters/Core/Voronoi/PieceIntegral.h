@@ -17,9 +17,11 @@ namespace remesh
 {
 struct PieceIntegral
 {
-  double fraction = 0.0;                 ///< share of the facet's area
-  double weights[3] = { 0.0, 0.0, 0.0 }; ///< sum to `fraction`; centroid = sum_k w_k p_k / fraction
+  double weights[3] = { 0.0, 0.0, 0.0 }; ///< of the facet's corners: centroid = sum w p / sum w
   double energy = 0.0;                   ///< integral of |x - x_i|^2 over the facet's mass
+
+  /** Share of the facet's area. */
+  double fraction() const { return this->weights[0] + this->weights[1] + this->weights[2]; }
 };
 
 /** A piece of site `slot`. O(vertices). */
@@ -40,7 +42,6 @@ inline PieceIntegral integratePiece(
       center[k] = (p[k] + q[k] + r[k]) / 3.0;
       sum.weights[k] += share * center[k];
     }
-    sum.fraction += share;
     sum.energy += share *
       (tiling.squaredDistance(slot, p) + tiling.squaredDistance(slot, q) +
         tiling.squaredDistance(slot, r) + 9.0 * tiling.squaredDistance(slot, center));
@@ -55,7 +56,7 @@ inline PieceIntegral integrateWholeFacet(const FacetConstants& facet, const doub
   const double third = 1.0 / 3.0;
   const double affine = (h[0] + h[1] + h[2]) / 3.0;
   const double quadratic = (facet.edge2[0] + facet.edge2[1] + facet.edge2[2]) / 12.0;
-  return { 1.0, { third, third, third }, facet.mass * std::max(0.0, affine - quadratic) };
+  return { { third, third, third }, facet.mass * std::max(0.0, affine - quadratic) };
 }
 
 /**
@@ -86,8 +87,7 @@ inline std::array<PieceIntegral, 2> integrateTwoPieces(
   corners[3][k] = 1.0 - corners[3][l] - corners[3][m];
 
   std::array<PieceIntegral, 2> pieces;
-  pieces[0].fraction = alongL * alongM;
-  pieces[1].fraction = 1.0 - pieces[0].fraction;
+  const double fraction = alongL * alongM;
   const auto meanSquare = [&](int slot)
   {
     return (tiling.squaredDistance(slot, corners[0]) + tiling.squaredDistance(slot, corners[1]) +
@@ -98,10 +98,10 @@ inline std::array<PieceIntegral, 2> integrateTwoPieces(
   const PieceIntegral whole = integrateWholeFacet(facet, ho);
   for (int c = 0; c < 3; ++c)
   {
-    pieces[0].weights[c] = pieces[0].fraction * corners[3][c];
+    pieces[0].weights[c] = fraction * corners[3][c];
     pieces[1].weights[c] = whole.weights[c] - pieces[0].weights[c];
   }
-  const double mass = facet.mass * pieces[0].fraction;
+  const double mass = facet.mass * fraction;
   pieces[0].energy = mass * meanSquare(single);
   pieces[1].energy = std::max(0.0, whole.energy - mass * meanSquare(other));
   return pieces;

@@ -39,7 +39,7 @@ Status sumSitesPlainly(const EmbeddedSurface& surface, const Sites& sites, const
       const Index site = diagram.sites[piece];
       const FacetConstants& constants = surface.constants[facet];
       const double area = constants.embeddedArea();
-      sums.mass[site] += integral.fraction * area;
+      sums.mass[site] += integral.fraction() * area;
       sums.energy[site] += integral.energy / constants.density;
       const auto corners = reader.facet(facet);
       const double* x = sites.site(site);
@@ -65,7 +65,7 @@ Status sumGroupsPlainly(const EmbeddedSurface& surface, const Diagram& diagram,
     [&](Offset piece, Index facet, const PieceIntegral& integral)
     {
       const FacetConstants& constants = surface.constants[facet];
-      sums.mass[groups[piece]] += integral.fraction * constants.embeddedArea();
+      sums.mass[groups[piece]] += integral.fraction() * constants.embeddedArea();
       sums.energy[groups[piece]] += integral.energy / constants.density;
     });
   return done ? Status::success() : Status::cancelled();

@@ -1,0 +1,37 @@
+/**
+ * @file EdgeValences.h
+ * @brief How many triangles each edge of a mesh has, without a table of all edges.
+ */
+#ifndef remesh_EdgeValences_h
+#define remesh_EdgeValences_h
+
+#include "Support/RunControl.h"
+#include "Support/Types.h"
+
+#include <utility>
+#include <vector>
+
+namespace remesh
+{
+/** An edge by its ends, the lower first, and the number of its triangles. */
+using EdgeValence = std::pair<std::pair<Index, Index>, Index>;
+
+struct EdgeValences
+{
+  Offset edges = 0;
+  std::vector<EdgeValence> odd; ///< those that have not just two triangles, ascending
+
+  Offset numberOfNonManifold() const;
+};
+
+/**
+ * Sorts the edges by windows of their lower vertex, one after the other: a mesh of a million points
+ * takes some megabytes. O(T log T), in parallel.
+ *
+ * @return what was counted so far when cancelled.
+ */
+EdgeValences countEdgeValences(
+  const std::vector<Triple>& triangles, Index numberOfVertices, const RunControl& control);
+}
+
+#endif
