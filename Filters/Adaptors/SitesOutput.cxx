@@ -59,9 +59,12 @@ void addPlaces(const DiagramSource& source, const Columns& columns)
     {
       source.surface().toCaller(result.sites.site(static_cast<Index>(i)), values);
       const double mass = source.siteMass()[i];
-      for (int c = 0; mass > 0.0 && c < d; ++c)
+      if (mass > 0.0)
       {
-        values[c] += source.siteMoment()[i * d + c] / mass * source.surface().unit;
+        for (int c = 0; c < d; ++c)
+        {
+          values[c] += source.siteMoment()[i * d + c] / mass * source.surface().unit;
+        }
       }
     });
 }

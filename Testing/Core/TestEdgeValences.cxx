@@ -34,7 +34,7 @@ void checkTriangles(const std::vector<Triple>& triangles, Index numberOfVertices
   }
   std::sort(odd.begin(), odd.end());
   CHECK_EQUAL(valences.edges, edges.numberOfEdges());
-  CHECK(valences.odd == odd);
+  CHECK(valences.irregular == odd);
   CHECK_EQUAL(valences.numberOfNonManifold(), nonManifold);
 }
 }

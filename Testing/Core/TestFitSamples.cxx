@@ -19,7 +19,7 @@ bool areEqual(const SampleBlock& a, const SampleBlock& b)
     std::memcmp(a.groups.data(), b.groups.data(), a.groups.size() * sizeof(SampleGroup)) == 0;
 }
 
-void checkBlock(const PlacementProblem& problem, Index first, const SampleBlock& block)
+void checkBlock(const PlacementProblem& problem, double unit, Index first, const SampleBlock& block)
 {
   CHECK_EQUAL(block.begins.size(), block.counts.size() + 1);
   for (std::size_t v = 0; v < block.counts.size(); ++v)
@@ -32,11 +32,11 @@ void checkBlock(const PlacementProblem& problem, Index first, const SampleBlock&
         const SampleGroup& group = block.groups[block.begins[v] + count / lanes];
         const int lane = count % lanes;
         const Point3 point = problem.components.centroids[vertex] +
-          Point3(group.offset[0][lane], group.offset[1][lane], group.offset[2][lane]);
+          unit * Point3(group.offset[0][lane], group.offset[1][lane], group.offset[2][lane]);
         CHECK((point - sample.point).norm() < 1e-6);
         const Point3 normal(group.normal[0][lane], group.normal[1][lane], group.normal[2][lane]);
         CHECK((normal - sample.normal).norm() < 1e-6);
-        CHECK(std::abs(group.weight[lane] - sample.weight) <= 1e-7 * sample.weight);
+        CHECK(std::abs(unit * unit * group.weight[lane] - sample.weight) <= 1e-7 * sample.weight);
         ++count;
       });
     CHECK_EQUAL(block.counts[v], count);
@@ -61,7 +61,7 @@ int TestFitSamples(int, char*[])
   {
     SampleBlock unused, scratch;
     const SampleBlock& made = kept.of(block, unused);
-    checkBlock(problem, static_cast<Index>(kept.blocks().begin(block)), made);
+    checkBlock(problem, kept.unit(), static_cast<Index>(kept.blocks().begin(block)), made);
     CHECK(unused.groups.empty());
     CHECK(&kept.of(block, unused) == &made);
     CHECK(areEqual(made, fresh.of(block, scratch)));

@@ -25,6 +25,17 @@ std::vector<Index> nearerThan(const Sites& sites, Index site, double radius)
   return ids;
 }
 
+std::vector<Index> idsOf(const std::vector<Neighbor>& found)
+{
+  std::vector<Index> ids;
+  for (const Neighbor& neighbor : found)
+  {
+    ids.push_back(neighbor.site);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 void checkSites(const Sites& sites, Index begin, Index end, double mostRadius)
 {
   const NeighborSearch search(sites);
@@ -38,16 +49,13 @@ void checkSites(const Sites& sites, Index begin, Index end, double mostRadius)
       ++visits[static_cast<std::size_t>(site)];
       CHECK_EQUAL(radius, radiusOf(site));
       nearby.within(site, radius, found);
-      std::vector<Index> ids;
       for (const Neighbor& neighbor : found)
       {
-        ids.push_back(neighbor.site);
         const double squared =
           test::exactDistance2(sites.site(site), sites.site(neighbor.site), sites.dimension);
         CHECK(std::abs(neighbor.distance - std::sqrt(squared)) <= 1e-14);
       }
-      std::sort(ids.begin(), ids.end());
-      CHECK(ids == nearerThan(sites, site, radius));
+      CHECK(idsOf(found) == nearerThan(sites, site, radius));
     });
   for (Index site = 0; site < sites.count(); ++site)
   {
@@ -91,9 +99,24 @@ void testRadiusFromBefore()
     [&](Index site, double radius)
     {
       nearby.within(site, radius, found);
-      CHECK_EQUAL(found.size(), nearerThan(sites, site, radius).size());
+      CHECK(idsOf(found) == nearerThan(sites, site, radius));
       former = former > 0.4 ? 0.1 : former + 0.01;
     });
+}
+
+/** A spacing that jumps: far in the sparse part is all of the dense one. */
+void testJump()
+{
+  SurfaceMesh mesh = test::meshOf(test::icosphere(3));
+  Sites sites = test::sampled(test::embedded(mesh, 3), 2000, 3);
+  for (Index i = 200; i < sites.count(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sites.site(i)[k] = 1.0 + 1e-3 * sites.site(i)[k];
+    }
+  }
+  checkSites(sites, 150, 250, 1.0);
 }
 
 void testSets()
@@ -136,6 +159,7 @@ int TestNearbySites(int, char*[])
 {
   testSites();
   testRadiusFromBefore();
+  testJump();
   testSets();
   return test::result();
 }

@@ -285,9 +285,36 @@ void testRetreat()
 }
 }
 
+/** A surface of any size is fitted as well as another: the same numbers, scaled. */
+void testScale()
+{
+  const TriangleSoup soup = test::torus(1.0, 0.4, 60, 30);
+  SurfaceMesh mesh = test::meshOf(soup);
+  const RemeshResult usual = test::remeshed(mesh, 0.05, 300, VertexPlacement::Fit);
+  for (const int exponent : { -100, 100 })
+  {
+    TriangleSoup scaled = soup;
+    for (Point3& point : scaled.points)
+    {
+      point *= std::ldexp(1.0, exponent);
+    }
+    SurfaceMesh scaledMesh = test::meshOf(scaled);
+    const RemeshResult result = test::remeshed(scaledMesh, 0.05, 300, VertexPlacement::Fit);
+    CHECK_EQUAL(result.placement.positions.size(), usual.placement.positions.size());
+    double worst = 0.0;
+    for (std::size_t k = 0; k < usual.placement.positions.size(); ++k)
+    {
+      const Point3 back = result.placement.positions[k] * std::ldexp(1.0, -exponent);
+      worst = std::max(worst, (back - usual.placement.positions[k]).norm());
+    }
+    CHECK_NEAR(worst, 0.0, 1e-9);
+  }
+}
+
 int TestPlacement(int, char*[])
 {
   testEllipsoids();
+  testScale();
   testFlips();
   testFixed();
   testControl();

@@ -5,7 +5,9 @@
 #include "TestLanes.h"
 #include "TestSupport.h"
 
+#include <array>
 #include <cmath>
+#include <cstring>
 
 using namespace remesh;
 using test::infinity;
@@ -61,6 +63,8 @@ struct Star
   }
 };
 
+constexpr double unit = 0.5;
+
 struct Sums
 {
   std::vector<TriangleSums> sums;
@@ -71,7 +75,7 @@ Sums summed(const Star& star, InstructionSet set)
 {
   Sums result{ std::vector<TriangleSums>(star.triangles.size(), TriangleSums{}),
     std::vector<Index>(static_cast<std::size_t>(star.count)) };
-  const Index others = starSummation(set)({ star.triangles, star.groups.data(), star.count,
+  const Index others = starSummation(set)({ star.triangles, star.groups.data(), unit, star.count,
     star.shift.data(), result.sums.data(), result.others.data() });
   result.others.resize(static_cast<std::size_t>(others));
   return result;
@@ -88,7 +92,7 @@ Sums plainlySummed(const Star& star)
     Point3 normal;
     for (int k = 0; k < 3; ++k)
     {
-      way[k] += group.offset[k][i % lanes];
+      way[k] += unit * group.offset[k][i % lanes];
       normal[k] = group.normal[k][i % lanes];
     }
     double nearest = infinity;
@@ -110,7 +114,7 @@ Sums plainlySummed(const Star& star)
       result.others.push_back(i);
       continue;
     }
-    const double weight = group.weight[i % lanes];
+    const double weight = unit * unit * group.weight[i % lanes];
     const double residual = pointOf(best->normal).dot(way) * pointOf(best->normal).dot(normal);
     double b[3];
     b[(best->corner + 1) % 3] = pointOf(best->first).dot(way);
@@ -137,16 +141,21 @@ Sums plainlySummed(const Star& star)
   return result;
 }
 
-constexpr std::size_t rowsOfSums = sizeof(TriangleSums) / sizeof(double);
+std::array<double, sizeof(TriangleSums) / sizeof(double)> valuesOf(const TriangleSums& sums)
+{
+  std::array<double, sizeof(TriangleSums) / sizeof(double)> values;
+  std::memcpy(values.data(), &sums, sizeof sums);
+  return values;
+}
 
 void checkEqual(const Sums& a, const Sums& b, double tolerance)
 {
   CHECK(a.others == b.others);
   for (std::size_t t = 0; t < a.sums.size(); ++t)
   {
-    const double* x = a.sums[t].pairs[0];
-    const double* y = b.sums[t].pairs[0];
-    for (std::size_t k = 0; k < rowsOfSums; ++k)
+    const auto x = valuesOf(a.sums[t]);
+    const auto y = valuesOf(b.sums[t]);
+    for (std::size_t k = 0; k < x.size(); ++k)
     {
       CHECK(std::abs(x[k] - y[k]) <= tolerance);
     }
@@ -187,14 +196,14 @@ void testGiven()
     double normal[3];
     for (int k = 0; k < 3; ++k)
     {
-      way[k] += one.groups[0].offset[k][0];
+      way[k] += unit * one.groups[0].offset[k][0];
       normal[k] = one.groups[0].normal[k][0];
     }
     const double u = pointOf(triangle.first).dot(way);
     const double v = pointOf(triangle.second).dot(way);
     const double b[3] = { 1.0 - u - v, u, v };
     Sums given{ { TriangleSums{} }, {} };
-    addSample(normal, one.groups[0].weight[0], b,
+    addSample(normal, unit * unit * one.groups[0].weight[0], b,
       pointOf(triangle.normal).dot(way) * pointOf(triangle.normal).dot(pointOf(normal)),
       given.sums[0]);
     checkEqual(given, found, 1e-14);

@@ -99,6 +99,37 @@ void testBox()
   }
 }
 
+/** How patches are kept apart inside is not seen outside: all places are on the cube. */
+void testEmbeddings()
+{
+  const vtkSmartPointer<vtkPolyData> input = polyDataOf(cube());
+  double bounds[6];
+  input->GetBounds(bounds);
+  const double scale = 0.1 * input->GetLength();
+  const Filter filter = remesh(input, 200, 0.1);
+  vtkPolyData* outputs[] = { filter->GetOutput(), filter->GetSitesOutput(),
+    filter->GetVoronoiCellsOutput() };
+  for (vtkPolyData* output : outputs)
+  {
+    for (const char* name : { "Embedding", "Centroid" })
+    {
+      vtkDataArray* array = output->GetPointData()->GetArray(name);
+      for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+      {
+        double normal = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          const double x = array->GetComponent(i, k);
+          CHECK(x >= bounds[2 * k] - 1e-6 && x <= bounds[2 * k + 1] + 1e-6);
+          normal += std::pow(array->GetComponent(i, 3 + k), 2);
+        }
+        CHECK_NEAR(std::sqrt(normal), scale, 1e-6); // each side has one
+      }
+      CHECK(array != nullptr || (name[0] == 'C' && output != outputs[1]));
+    }
+  }
+}
+
 /** Every copy of a site has the vertex of the first; sums over copies are those of the mesh. */
 void testCopies()
 {
@@ -379,8 +410,8 @@ void testZigzag()
     pointsOnRidge(remesh(roof([](int j) { return j % 2 ? 3e-3 : -3e-3; }), 300)->GetOutput());
   CHECK(zigzag > 10);
   CHECK(zigzag < 32);
-  const int winding = pointsOnRidge(
-    remesh(roof([](int j) { return 6e-3 * std::sin(0.3 * j); }), 300)->GetOutput());
+  const int winding =
+    pointsOnRidge(remesh(roof([](int j) { return 6e-3 * std::sin(0.3 * j); }), 300)->GetOutput());
   CHECK(winding > 50);
 }
 }
@@ -389,6 +420,7 @@ int TestFeatures(int, char*[])
 {
   testBox();
   testCopies();
+  testEmbeddings();
   testNearCreases();
   testThreeSheets();
   testOpenTube();

@@ -152,15 +152,15 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
   if (dual.repeated.empty())
   {
     checkCells(isDisk, dual.triangles, crossings, certificate);
-    checkEdges(dual.oddEdges, crossings, crowded, certificate);
+    checkEdges(dual.irregularEdges, crossings, crowded, certificate);
   }
   else
   {
     std::vector<Triple> meetings = dual.triangles;
     meetings.insert(meetings.end(), dual.repeated.begin(), dual.repeated.end());
     checkCells(isDisk, meetings, crossings, certificate);
-    checkEdges(
-      countEdgeValences(meetings, components.count(), silent).odd, crossings, crowded, certificate);
+    checkEdges(countEdgeValences(meetings, components.count(), silent).irregular, crossings,
+      crowded, certificate);
   }
   certificate.vertices = dual.repeated;
   return control.cancelled() ? Status::cancelled() : Status::success();

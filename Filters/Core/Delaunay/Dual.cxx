@@ -111,7 +111,7 @@ Status examine(Index numberOfVertices, const RunControl& control, Dual& dual)
 {
   EdgeValences valences = countEdgeValences(dual.triangles, numberOfVertices, control);
   dual.numberOfNonManifoldEdges = valences.numberOfNonManifold();
-  dual.oddEdges = std::move(valences.odd);
+  dual.irregularEdges = std::move(valences.irregular);
   if (control.cancelled())
   {
     return Status::cancelled();

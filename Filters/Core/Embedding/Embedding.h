@@ -55,7 +55,7 @@ void weightByDensity(const std::vector<double>& densities, EmbeddedSurface& surf
 
 /**
  * Moves patches so far apart that no site's cell reaches another patch (PatchLattice.h). The
- * surface must hold its corners.
+ * surface must hold its corners, and its patches must not have been moved yet.
  *
  * @param facetPatches F, from 0.
  */

@@ -3,7 +3,8 @@
  * @brief Patches kept apart in R^d: each is moved to a place of its own, as a whole.
  *
  * The places form a cubic lattice in the last few coordinates, so that they are not far out, where
- * doubles are sparse: of a hundred patches, coordinates lose seven bits at most.
+ * doubles are sparse: in six dimensions the coordinates of a hundred patches lose seven bits at
+ * most. Points may move, but by less than a patch's size: they would come to another.
  */
 #ifndef remesh_PatchLattice_h
 #define remesh_PatchLattice_h
@@ -66,7 +67,7 @@ public:
     return patch;
   }
 
-  /** At most the distance of patches, so that a search for neighbours need not look into others. */
+  /** No two points of different patches are nearer: a search need not look into others. */
   double leastDistance() const
   {
     return m_axes > 0 ? m_step - 2.0 : std::numeric_limits<double>::infinity();

@@ -35,7 +35,7 @@ EdgeValences countWindow(const std::vector<Triple>& triangles, Offset begin, Off
     ++valences.edges;
     if (next - edge != 2)
     {
-      valences.odd.emplace_back(*edge, static_cast<Index>(next - edge));
+      valences.irregular.emplace_back(*edge, static_cast<Index>(next - edge));
     }
     edge = next;
   }
@@ -45,8 +45,8 @@ EdgeValences countWindow(const std::vector<Triple>& triangles, Offset begin, Off
 
 Offset EdgeValences::numberOfNonManifold() const
 {
-  return std::count_if(
-    this->odd.begin(), this->odd.end(), [](const EdgeValence& edge) { return edge.second > 2; });
+  return std::count_if(this->irregular.begin(), this->irregular.end(),
+    [](const EdgeValence& edge) { return edge.second > 2; });
 }
 
 EdgeValences countEdgeValences(
@@ -60,10 +60,14 @@ EdgeValences countEdgeValences(
     [&](Offset window)
     { parts[window] = countWindow(triangles, windows.begin(window), windows.end(window)); });
   EdgeValences all;
+  if (!done)
+  {
+    return all;
+  }
   for (const EdgeValences& part : parts)
   {
-    all.edges += done ? part.edges : 0;
-    all.odd.insert(all.odd.end(), part.odd.begin(), part.odd.end());
+    all.edges += part.edges;
+    all.irregular.insert(all.irregular.end(), part.irregular.begin(), part.irregular.end());
   }
   return all;
 }

@@ -19,16 +19,16 @@ using EdgeValence = std::pair<std::pair<Index, Index>, Index>;
 struct EdgeValences
 {
   Offset edges = 0;
-  std::vector<EdgeValence> odd; ///< those that have not just two triangles, ascending
+  std::vector<EdgeValence> irregular; ///< those that have not just two triangles, ascending
 
   Offset numberOfNonManifold() const;
 };
 
 /**
- * Sorts the edges by windows of their lower vertex, one after the other: a mesh of a million points
- * takes some megabytes. O(T log T), in parallel.
+ * Sorts the edges in windows of their lower vertex, each of which looks at all triangles: a mesh of
+ * a million points takes some megabytes a thread. O(T log T) and 32 looks at T, in parallel.
  *
- * @return what was counted so far when cancelled.
+ * @return nothing counted when cancelled.
  */
 EdgeValences countEdgeValences(
   const std::vector<Triple>& triangles, Index numberOfVertices, const RunControl& control);

@@ -1,5 +1,6 @@
 #include "Placement/FitSamples.h"
 
+#include "Mesh/Extent.h"
 #include "Placement/SurfaceSamples.h"
 
 namespace remesh
@@ -7,6 +8,13 @@ namespace remesh
 namespace
 {
 constexpr Offset verticesPerBlock = 512;
+
+double powerOfTwoBelow(double value)
+{
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  return std::ldexp(1.0, exponent - 1);
+}
 
 void setLane(float (&columns)[3][lanes], std::size_t lane, const Point3& value)
 {
@@ -27,6 +35,7 @@ void SampleBlock::clear()
 FitSamples::FitSamples(const PlacementProblem& problem, int samples, double mostBytes)
   : m_problem(problem)
   , m_samples(samples)
+  , m_unit(powerOfTwoBelow(boundingBoxDiagonal(problem.mesh)))
   , m_blocks{ problem.numberOfVertices(), verticesPerBlock }
 {
   const double groups =
@@ -40,9 +49,14 @@ FitSamples::FitSamples(const PlacementProblem& problem, int samples, double most
 const SampleBlock& FitSamples::of(Offset block, SampleBlock& scratch)
 {
   SampleBlock& made = m_kept.empty() ? scratch : m_kept[static_cast<std::size_t>(block)];
-  if (m_kept.empty() || made.begins.empty())
+  if (m_kept.empty())
   {
     this->make(block, made);
+  }
+  else if (made.begins.empty())
+  {
+    this->make(block, made);
+    made.groups.shrink_to_fit();
   }
   return made;
 }
@@ -64,9 +78,9 @@ void FitSamples::make(Offset block, SampleBlock& made) const
           made.groups.push_back({});
         }
         SampleGroup& group = made.groups.back();
-        setLane(group.offset, lane, sample.point - origin);
+        setLane(group.offset, lane, (sample.point - origin) / m_unit);
         setLane(group.normal, lane, sample.normal);
-        group.weight[lane] = static_cast<float>(sample.weight);
+        group.weight[lane] = static_cast<float>(sample.weight / m_unit / m_unit);
       });
     made.begins.push_back(static_cast<Index>(made.groups.size()));
     made.counts.push_back(static_cast<Index>(count));

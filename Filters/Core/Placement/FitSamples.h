@@ -14,11 +14,11 @@
 
 namespace remesh
 {
-/** Samples side by side; places without one are zero. */
+/** Samples side by side, lengths in `FitSamples::unit`; places without one are zero. */
 struct SampleGroup
 {
   float offset[3][lanes]; ///< from the centroid of the vertex's component
-  float normal[3][lanes]; ///< unit, of the facet
+  float normal[3][lanes]; ///< of length 1, of the facet
   float weight[lanes];    ///< area
 };
 
@@ -39,11 +39,13 @@ public:
 
   /**
    * @param samples of each vertex, see forEachSample.
-   * @param mostBytes that they may take to be kept.
+   * @param mostBytes that they may take, about, to be kept.
    */
   FitSamples(const PlacementProblem& problem, int samples, double mostBytes = usualBytes);
 
   const Blocks& blocks() const { return m_blocks; }
+  /** A power of two near the surface's size, so that single precision holds surfaces of any. */
+  double unit() const { return m_unit; }
 
   /**
    * The samples of a block's vertices: made when first asked for and kept, or made in `scratch`
@@ -56,6 +58,7 @@ private:
 
   const PlacementProblem& m_problem;
   int m_samples;
+  double m_unit;
   Blocks m_blocks;
   std::vector<SampleBlock> m_kept; ///< none where they are not kept
 };

@@ -48,7 +48,7 @@ Symmetric3 symmetric(const double (&row)[lanes])
   return Eigen::Map<const Symmetric3>(row);
 }
 
-void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const BlockSums& block,
+void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const StarBlock& block,
   FitSystem& system)
 {
   for (std::size_t s = 0; s < block.triangles.size(); ++s)
@@ -233,18 +233,18 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
   for (Offset first = 0; first < count; first += blocksPerGroup)
   {
     const Offset size = std::min(blocksPerGroup, count - first);
-    std::vector<BlockSums> sums(static_cast<std::size_t>(size));
+    std::vector<StarBlock> sums(static_cast<std::size_t>(size));
     if (!forEachBlock(size, control.silent(),
           [&](Offset block)
           {
             const auto fit = pool.borrow();
             fit->sum(static_cast<Index>(samples.blocks().begin(first + block)),
-              samples.of(first + block, fit->scratch), sums[block]);
+              samples.of(first + block, fit->scratch), samples.unit(), sums[block]);
           }))
     {
       return false;
     }
-    for (const BlockSums& block : sums)
+    for (const StarBlock& block : sums)
     {
       addBlock(problem, edges, block, system);
     }

@@ -2,7 +2,7 @@
 
 #include "Mesh/ClosestPoint.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +11,7 @@ namespace remesh
 {
 namespace
 {
-void copy(const Point3& from, double (&to)[3])
+void setRow(const Point3& from, double (&to)[3])
 {
   std::copy_n(from.data(), 3, to);
 }
@@ -27,7 +27,7 @@ int cornerOf(Index vertex, const Triple& triangle)
 }
 }
 
-void StarFit::sum(Index firstVertex, const SampleBlock& samples, BlockSums& block)
+void StarFit::sum(Index firstVertex, const SampleBlock& samples, double unit, StarBlock& block)
 {
   for (std::size_t v = 0; v < samples.counts.size(); ++v)
   {
@@ -35,11 +35,11 @@ void StarFit::sum(Index firstVertex, const SampleBlock& samples, BlockSums& bloc
     const SampleGroup* groups = samples.groups.data() + samples.begins[v];
     m_others.resize(static_cast<std::size_t>(samples.counts[v]));
     const Point3 shift = m_problem.components.centroids[m_center] - m_positions[m_center];
-    const Index others = m_sum(
-      { m_star, groups, samples.counts[v], shift.data(), block.sums.data(), m_others.data() });
+    const Index others = m_sum({ m_star, groups, unit, samples.counts[v], shift.data(),
+      block.sums.data(), m_others.data() });
     for (Index k = 0; k < others; ++k)
     {
-      this->addClosest(groups[m_others[k] / lanes], m_others[k] % lanes, block);
+      this->addClosest(groups[m_others[k] / lanes], m_others[k] % lanes, unit, block);
     }
   }
   for (const Index triangle : block.triangles)
@@ -48,7 +48,7 @@ void StarFit::sum(Index firstVertex, const SampleBlock& samples, BlockSums& bloc
   }
 }
 
-void StarFit::enter(Index vertex, BlockSums& block)
+void StarFit::enter(Index vertex, StarBlock& block)
 {
   m_center = vertex;
   m_star.clear();
@@ -77,16 +77,16 @@ void StarFit::enter(Index vertex, BlockSums& block)
     const double determinant = uu * vv - uv * uv;
     if (determinant > 0.0)
     {
-      copy((vv * u - uv * v) / determinant, triangle.first);
-      copy((uu * v - uv * u) / determinant, triangle.second);
-      copy(m_normals[t], triangle.normal);
+      setRow((vv * u - uv * v) / determinant, triangle.first);
+      setRow((uu * v - uv * u) / determinant, triangle.second);
+      setRow(m_normals[t], triangle.normal);
     }
   }
 }
 
-void StarFit::addClosest(const SampleGroup& group, int lane, BlockSums& block) const
+void StarFit::addClosest(const SampleGroup& group, int lane, double unit, StarBlock& block) const
 {
-  const Point3 point = m_problem.components.centroids[m_center] + inLane(group.offset, lane);
+  const Point3 point = m_problem.components.centroids[m_center] + unit * inLane(group.offset, lane);
   const Point3 normal = inLane(group.normal, lane);
   double nearest = std::numeric_limits<double>::infinity();
   ClosestPoint foot{};
@@ -113,7 +113,8 @@ void StarFit::addClosest(const SampleGroup& group, int lane, BlockSums& block) c
     const auto& [i, j, k] = m_problem.triangles[block.triangles[at]];
     const Point3 place =
       foot.b[0] * m_positions[i] + foot.b[1] * m_positions[j] + foot.b[2] * m_positions[k];
-    addSample(normal.data(), group.weight[lane], foot.b, normal.dot(point - place), block.sums[at]);
+    addSample(normal.data(), unit * unit * group.weight[lane], foot.b, normal.dot(point - place),
+      block.sums[at]);
   }
 }
 }

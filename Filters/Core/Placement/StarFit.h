@@ -10,7 +10,7 @@
 namespace remesh
 {
 /** What the samples of a block of vertices add to the triangles that they meet. */
-struct BlockSums
+struct StarBlock
 {
   std::vector<Index> triangles;
   std::vector<TriangleSums> sums;
@@ -38,15 +38,17 @@ public:
    * Sums up the samples of consecutive vertices, each in the triangles around its vertex that face
    * as it does (so never in another sheet): where it lies right above some of them, in the nearest
    * of these; else in the one with the closest point. O(samples times triangles of a vertex).
+   *
+   * @param unit of the samples' lengths.
    */
-  void sum(Index firstVertex, const SampleBlock& samples, BlockSums& block);
+  void sum(Index firstVertex, const SampleBlock& samples, double unit, StarBlock& block);
 
   /** Room for samples that are not kept. */
   SampleBlock scratch;
 
 private:
-  void enter(Index vertex, BlockSums& block);
-  void addClosest(const SampleGroup& group, int lane, BlockSums& block) const;
+  void enter(Index vertex, StarBlock& block);
+  void addClosest(const SampleGroup& group, int lane, double unit, StarBlock& block) const;
 
   const PlacementProblem& m_problem;
   const VertexStars& m_stars;

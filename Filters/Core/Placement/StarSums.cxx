@@ -79,6 +79,86 @@ struct Summation
     addProduct(b[2], linear, sums.slopes[2]);
   }
 
+  /** The triangle nearest to each sample, of those it lies right above; the number of all: none. */
+  struct Feet
+  {
+    Lanes nearest = Lanes{} + std::numeric_limits<double>::infinity(); ///< squared height
+    Lanes first{};
+    Lanes second{};
+    Lanes residual{};
+    LaneBits triangle{};
+  };
+
+  [[gnu::always_inline]] static inline void findFeet(
+    const StarTask& task, const Lanes (&way)[3], const Lanes (&normal)[3], Feet& feet)
+  {
+    feet.triangle += task.triangles.size();
+    unsigned long long number = 0;
+    for (const StarTriangle& triangle : task.triangles)
+    {
+      Lanes u;
+      Lanes v;
+      Lanes height;
+      Lanes facing;
+      multiply(triangle.first, way, u);
+      multiply(triangle.second, way, v);
+      multiply(triangle.normal, way, height);
+      multiply(triangle.normal, normal, facing);
+      LaneBits outside;
+      LaneBits negative;
+      findNegative(u, outside);
+      findNegative(v, negative);
+      outside |= negative;
+      findNegative(1.0 - u - v, negative);
+      outside |= negative;
+      findNegative(0.0 - facing, negative);
+      outside |= ~negative; // where it does not face along
+      const Lanes squared = height * height;
+      findNegative(squared - feet.nearest, negative);
+      const LaneBits nearer = negative & ~outside;
+      replaceChosen(squared, nearer, feet.nearest);
+      replaceChosen(u, nearer, feet.first);
+      replaceChosen(v, nearer, feet.second);
+      replaceChosen(height * facing, nearer, feet.residual);
+      feet.triangle = (feet.triangle & ~nearer) | (nearer & number);
+      ++number;
+    }
+  }
+
+  /** Adds the first `size` samples of a group and lists the others; `begin` is the first's number.
+   */
+  [[gnu::always_inline]] static inline void addAll(const StarTask& task, const Lanes (&normal)[3],
+    const Lanes& weight, const Feet& feet, Index begin, int size, Index& others)
+  {
+    Lanes terms[2 * lanes];
+    findTerms(normal, weight, feet.residual, terms);
+    double columns[2 * lanes][lanes];
+    for (int k = 0; k < 2 * lanes; ++k)
+    {
+      store(terms[k], columns[k]);
+    }
+    double firsts[lanes];
+    double seconds[lanes];
+    unsigned long long triangles[lanes];
+    store(feet.first, firsts);
+    store(feet.second, seconds);
+    std::memcpy(triangles, &feet.triangle, sizeof triangles);
+    for (int lane = 0; lane < size; ++lane)
+    {
+      if (triangles[lane] == task.triangles.size())
+      {
+        task.others[others++] = begin + lane;
+        continue;
+      }
+      const StarTriangle& triangle = task.triangles[triangles[lane]];
+      double b[3];
+      b[triangle.corner] = 1.0 - firsts[lane] - seconds[lane];
+      b[next(triangle.corner)] = firsts[lane];
+      b[next(next(triangle.corner))] = seconds[lane];
+      add(columns, lane, b, task.sums[triangle.sums]);
+    }
+  }
+
   [[gnu::always_inline]] static inline Index run(const StarTask& task)
   {
     Index others = 0;
@@ -91,75 +171,15 @@ struct Summation
       for (int k = 0; k < 3; ++k)
       {
         widen(group.offset[k], way[k]);
-        way[k] += task.shift[k];
+        way[k] = task.unit * way[k] + task.shift[k];
         widen(group.normal[k], normal[k]);
       }
       widen(group.weight, weight);
-
-      Lanes nearest = Lanes{} + std::numeric_limits<double>::infinity();
-      Lanes first{};
-      Lanes second{};
-      Lanes residual{};
-      LaneBits at = LaneBits{} - 1ULL;
-      unsigned long long number = 0;
-      for (const StarTriangle& triangle : task.triangles)
-      {
-        Lanes u;
-        Lanes v;
-        Lanes height;
-        Lanes facing;
-        multiply(triangle.first, way, u);
-        multiply(triangle.second, way, v);
-        multiply(triangle.normal, way, height);
-        multiply(triangle.normal, normal, facing);
-        LaneBits outside;
-        LaneBits negative;
-        findNegative(u, outside);
-        findNegative(v, negative);
-        outside |= negative;
-        findNegative(1.0 - u - v, negative);
-        outside |= negative;
-        findNegative(0.0 - facing, negative);
-        outside |= ~negative; // where it does not face along
-        const Lanes squared = height * height;
-        findNegative(squared - nearest, negative);
-        const LaneBits nearer = negative & ~outside;
-        replaceChosen(squared, nearer, nearest);
-        replaceChosen(u, nearer, first);
-        replaceChosen(v, nearer, second);
-        replaceChosen(height * facing, nearer, residual);
-        at = (at & ~nearer) | (nearer & number);
-        ++number;
-      }
-
-      Lanes terms[2 * lanes];
-      findTerms(normal, weight, residual, terms);
-      double columns[2 * lanes][lanes];
-      for (int k = 0; k < 2 * lanes; ++k)
-      {
-        store(terms[k], columns[k]);
-      }
-      double firsts[lanes];
-      double seconds[lanes];
-      unsigned long long triangles[lanes];
-      store(first, firsts);
-      store(second, seconds);
-      std::memcpy(triangles, &at, sizeof triangles);
-      const int size = static_cast<int>(task.count - begin < lanes ? task.count - begin : lanes);
-      for (int lane = 0; lane < size; ++lane)
-      {
-        if (triangles[lane] >= number)
-        {
-          task.others[others++] = begin + lane;
-          continue;
-        }
-        const StarTriangle& triangle = task.triangles[triangles[lane]];
-        double b[3];
-        b[triangle.corner] = 1.0 - firsts[lane] - seconds[lane];
-        b[next(triangle.corner)] = firsts[lane];
-        b[next(next(triangle.corner))] = seconds[lane];
-        add(columns, lane, b, task.sums[triangle.sums]);
-      }
+      weight *= task.unit * task.unit;
+      Feet feet;
+      findFeet(task, way, normal, feet);
+      const Index size = task.count - begin < lanes ? task.count - begin : lanes;
+      addAll(task, normal, weight, feet, begin, static_cast<int>(size), others);
     }
     return others;
   }

@@ -38,6 +38,7 @@ struct StarTask
 {
   const std::vector<StarTriangle>& triangles;
   const SampleGroup* groups;
+  double unit;         ///< of their lengths, a power of two
   Index count;         ///< of samples
   const double* shift; ///< from the common corner to what the samples' offsets count from
   TriangleSums* sums;

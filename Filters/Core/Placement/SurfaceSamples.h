@@ -4,8 +4,7 @@
  *
  * Each component of a cell is walked piece by piece. Large pieces are cut into parts of about equal
  * area; small ones share a sample, at the piece where their areas fill the measure. The weights of
- * a component's samples sum to its area, so that the samples weigh all of the surface alike. They
- * are made anew wherever they are needed: storing them would take more memory than the mesh.
+ * a component's samples sum to its area, so that the samples weigh all of the surface alike.
  */
 #ifndef remesh_SurfaceSamples_h
 #define remesh_SurfaceSamples_h

@@ -2,12 +2,14 @@
 
 #include "Embedding/Distance.h"
 
+#include <cmath>
+
 namespace remesh
 {
 namespace
 {
-/** Covers the rounding of three distances. */
-constexpr double aboveRounding = 1.0 + 1e-12;
+/** Covers the rounding of three distances in up to 10^6 dimensions. */
+constexpr double aboveRounding = 1.0 + 1e-9;
 }
 
 /** The box around some sites, and its longest side. */
@@ -34,29 +36,35 @@ int NearbySites::measure(const Index* begin, const Index* end)
   return longest;
 }
 
-/**
- * Whether one search serves all; a single site always. Replaces the box by its middle and tells how
- * far the sites are from there.
- */
+/** Whether one search serves all, and how far they are from the middle of their box. */
 bool NearbySites::lieTogether(const Index* begin, const Index* end, double radius, double& reach)
 {
-  for (std::size_t k = 0; k < m_lower.size(); ++k)
-  {
-    m_lower[k] = end - begin == 1 ? m_lower[k] : 0.5 * (m_lower[k] + m_upper[k]);
-  }
+  std::transform(m_lower.begin(), m_lower.end(), m_upper.begin(), m_middle.begin(),
+    [](double lower, double upper) { return 0.5 * (lower + upper); });
   double farthest = 0.0;
   for (const Index* site = begin; site != end; ++site)
   {
     farthest = std::max(farthest,
-      squaredDistance<Eigen::Dynamic>(m_sites.site(*site), m_lower.data(), m_sites.dimension));
+      squaredDistance<Eigen::Dynamic>(m_sites.site(*site), m_middle.data(), m_sites.dimension));
   }
   reach = std::sqrt(farthest);
   return end - begin == 1 || reach <= farthestTogether * radius;
 }
 
-void NearbySites::gather(double reach)
+/** Looks up what can be near any of the sites in hand; false if that is too much for many. */
+bool NearbySites::gather(std::ptrdiff_t together, double reach, double radius)
 {
-  m_search.within(m_lower.data(), aboveRounding * reach, m_candidates);
+  m_alone = together == 1;
+  if (m_alone)
+  {
+    m_search.within(m_lower.data(), radius, m_candidates);
+    return true;
+  }
+  m_search.within(m_middle.data(), aboveRounding * (reach + radius), m_candidates);
+  if (m_candidates.size() > mostCandidates)
+  {
+    return false;
+  }
   const auto d = static_cast<std::size_t>(m_sites.dimension);
   const std::size_t groups = (m_candidates.size() + lanes - 1) / lanes;
   m_coordinates.assign(groups * lanes * d, 0.0);
@@ -70,14 +78,20 @@ void NearbySites::gather(double reach)
       to[k * lanes] = x[k];
     }
   }
+  return true;
 }
 
 void NearbySites::within(Index site, double radius, std::vector<Neighbor>& found)
 {
+  if (m_alone)
+  {
+    found = m_candidates;
+    return;
+  }
   m_evaluate({ m_coordinates.data(), static_cast<int>(m_squared.size() / lanes), m_sites.dimension,
     m_sites.site(site), m_squared.data() });
   const double most = radius * radius;
-  found.resize(m_candidates.size() + 1);
+  found.resize(m_candidates.size());
   std::size_t count = 0;
   for (std::size_t c = 0; c < m_candidates.size(); ++c)
   {

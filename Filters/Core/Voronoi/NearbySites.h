@@ -11,7 +11,6 @@
 #include "Voronoi/SiteDistances.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace remesh
@@ -25,7 +24,8 @@ public:
     : m_search(search)
     , m_sites(sites)
     , m_lower(static_cast<std::size_t>(sites.dimension))
-    , m_upper(static_cast<std::size_t>(sites.dimension))
+    , m_upper(m_lower)
+    , m_middle(m_lower)
   {
   }
 
@@ -34,7 +34,8 @@ public:
    * other; it may ask for the sites within the radius. O(log of their number) for each, and a
    * search for each few.
    *
-   * @param radius(site) not negative; may depend on earlier visits.
+   * @param radius(site) not negative; asked more than once, before those that lie together are
+   *        visited. It may depend on earlier visits.
    */
   template <class Radius, class Visit>
   void forEach(Index begin, Index end, const Radius& radius, const Visit& visit)
@@ -44,12 +45,13 @@ public:
     this->forEachOf(m_order.data(), m_order.data() + m_order.size(), radius, visit);
   }
 
-  /** The sites nearer than `radius` to the site that is visited, in an order that is fixed. */
+  /** The sites nearer than its `radius` to the site that is visited, in an order that is fixed. */
   void within(Index site, double radius, std::vector<Neighbor>& found);
 
 private:
   static constexpr std::ptrdiff_t mostTogether = 16;
   static constexpr double farthestTogether = 1.2; ///< from their middle, in radii
+  static constexpr std::size_t mostCandidates = 512;
 
   template <class Radius, class Visit>
   void forEachOf(Index* begin, Index* end, const Radius& radius, const Visit& visit)
@@ -64,12 +66,14 @@ private:
     {
       double radii[mostTogether];
       std::transform(begin, end, radii, radius);
-      this->gather(reach + *std::max_element(radii, radii + (end - begin)));
-      for (const Index* site = begin; site != end; ++site)
+      if (this->gather(end - begin, reach, *std::max_element(radii, radii + (end - begin))))
       {
-        visit(*site, radii[site - begin]);
+        for (const Index* site = begin; site != end; ++site)
+        {
+          visit(*site, radii[site - begin]);
+        }
+        return;
       }
-      return;
     }
     Index* middle = begin + (end - begin) / 2;
     std::nth_element(begin, middle, end,
@@ -85,15 +89,17 @@ private:
 
   int measure(const Index* begin, const Index* end);
   bool lieTogether(const Index* begin, const Index* end, double radius, double& reach);
-  void gather(double reach);
+  bool gather(std::ptrdiff_t together, double reach, double radius);
 
   const NeighborSearch& m_search;
   const Sites& m_sites;
   SiteDistanceEvaluation m_evaluate = siteDistanceEvaluation(widestInstructionSet());
   std::vector<Index> m_order;
-  std::vector<double> m_lower; ///< d, of the box around the sites in hand; then their middle
-  std::vector<double> m_upper; ///< d
+  std::vector<double> m_lower;  ///< d, of the box around the sites in hand
+  std::vector<double> m_upper;  ///< d
+  std::vector<double> m_middle; ///< d
   std::vector<Neighbor> m_candidates;
+  bool m_alone = false;              ///< one site is in hand, and the candidates are its answer
   std::vector<double> m_coordinates; ///< of the candidates, see SiteDistances
   std::vector<double> m_squared;
 };

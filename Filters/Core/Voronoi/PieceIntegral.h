@@ -11,7 +11,6 @@
 #include "Voronoi/FacetTiling.h"
 
 #include <algorithm>
-#include <array>
 
 namespace remesh
 {
@@ -57,54 +56,6 @@ inline PieceIntegral integrateWholeFacet(const FacetConstants& facet, const doub
   const double affine = (h[0] + h[1] + h[2]) / 3.0;
   const double quadratic = (facet.edge2[0] + facet.edge2[1] + facet.edge2[2]) / 12.0;
   return { { third, third, third }, facet.mass * std::max(0.0, affine - quadratic) };
-}
-
-/**
- * The two pieces of a facet that two cells share: the site of slot `single` owns corner k alone,
- * the other one the other two corners.
- * Returns the single one's piece, then the other's. O(1).
- */
-inline std::array<PieceIntegral, 2> integrateTwoPieces(
-  const FacetTiling& tiling, const FacetConstants& facet, int single, int k)
-{
-  const int other = 1 - single;
-  const int l = (k + 1) % 3;
-  const int m = (k + 2) % 3;
-  const double* hs = tiling.site(single).h;
-  const double* ho = tiling.site(other).h;
-  // How far along the edges from corner k the bisector is, in [0, 1].
-  const double gap = ho[k] - hs[k];
-  const double alongL = std::min(1.0, gap / (gap + (hs[l] - ho[l])));
-  const double alongM = std::min(1.0, gap / (gap + (hs[m] - ho[m])));
-  double corners[4][3] = {}; // of the single one's triangle, then its centre
-  corners[0][k] = 1.0;
-  corners[1][k] = 1.0 - alongL;
-  corners[1][l] = alongL;
-  corners[2][k] = 1.0 - alongM;
-  corners[2][m] = alongM;
-  corners[3][l] = alongL / 3.0;
-  corners[3][m] = alongM / 3.0;
-  corners[3][k] = 1.0 - corners[3][l] - corners[3][m];
-
-  std::array<PieceIntegral, 2> pieces;
-  const double fraction = alongL * alongM;
-  const auto meanSquare = [&](int slot)
-  {
-    return (tiling.squaredDistance(slot, corners[0]) + tiling.squaredDistance(slot, corners[1]) +
-             tiling.squaredDistance(slot, corners[2]) +
-             9.0 * tiling.squaredDistance(slot, corners[3])) /
-      12.0;
-  };
-  const PieceIntegral whole = integrateWholeFacet(facet, ho);
-  for (int c = 0; c < 3; ++c)
-  {
-    pieces[0].weights[c] = fraction * corners[3][c];
-    pieces[1].weights[c] = whole.weights[c] - pieces[0].weights[c];
-  }
-  const double mass = facet.mass * fraction;
-  pieces[0].energy = mass * meanSquare(single);
-  pieces[1].energy = std::max(0.0, whole.energy - mass * meanSquare(other));
-  return pieces;
 }
 }
 

@@ -1,5 +1,7 @@
 #include "Voronoi/SiteDistances.h"
 
+#include <cstddef>
+
 namespace remesh
 {
 namespace
@@ -19,7 +21,7 @@ struct Evaluation
         difference -= task.point[k];
         sum += difference * difference;
       }
-      store(sum, task.squared + static_cast<long>(group) * lanes);
+      store(sum, task.squared + static_cast<std::ptrdiff_t>(group) * lanes);
     }
   }
 };
