@@ -1,5 +1,6 @@
 // Remesh: the same bytes whatever runs the blocks, in whatever order, and again.
 
+#include "Features/FeatureGraph.h"
 #include "Remesh.h"
 #include "TestEmbeddings.h"
 #include "Voronoi/DiagramPoints.h"
@@ -115,43 +116,47 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const Components& components = result.components;
   bytes.addAll(components.ofPiece, components.sites, components.ranks, components.pieceBegin,
     components.pieces, components.mass, components.area, components.energy, components.centroids);
-  bytes.addAll(result.locations, result.dual.triangles, result.dual.repeated,
-    result.dual.numberOfNonManifoldEdges, result.dual.eulerCharacteristic,
+  bytes.addAll(result.locations, result.placement.positions, result.dual.triangles,
+    result.dual.repeated, result.dual.numberOfNonManifoldEdges, result.dual.eulerCharacteristic,
     result.numbersOfNeighbors, result.convergence.rows);
+  for (const auto& [ends, triangles] : result.dual.irregularEdges)
+  {
+    bytes.addAll(ends.first, ends.second, triangles);
+  }
   return bytes.string();
 }
 
 std::string run(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RemeshOptions& options, Schedule schedule)
+  const RemeshOptions& options, Schedule schedule, const Features* features)
 {
   RunControl control;
   control.schedule = schedule;
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, control, result).ok());
-  CHECK_EQUAL(result.sites.count(), Index(options.numberOfSites));
+  CHECK(remesh::remesh(mesh, surface, options, control, result, features).ok());
+  CHECK(features || result.sites.count() == Index(options.numberOfSites));
   return bytesOf(mesh, surface, result, control);
 }
 
 /** The product with each back-end that this VTK has, and the two schedules that disturb it. */
-void checkCase(
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options)
+void checkCase(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const RemeshOptions& options, const Features* features = nullptr)
 {
-  const std::string expected = run(mesh, surface, options, Schedule::Smp);
-  CHECK(run(mesh, surface, options, Schedule::Smp) == expected);
-  CHECK(run(mesh, surface, options, Schedule::ShuffledBlocks) == expected);
-  CHECK(run(mesh, surface, options, Schedule::EightThreads) == expected);
+  const std::string expected = run(mesh, surface, options, Schedule::Smp, features);
+  CHECK(run(mesh, surface, options, Schedule::Smp, features) == expected);
+  CHECK(run(mesh, surface, options, Schedule::ShuffledBlocks, features) == expected);
+  CHECK(run(mesh, surface, options, Schedule::EightThreads, features) == expected);
   const std::string backend = vtkSMPTools::GetBackend();
   for (const char* name : { "Sequential", "STDThread", "TBB" })
   {
     if (vtkSMPTools::SetBackend(name))
     {
-      CHECK(run(mesh, surface, options, Schedule::Smp) == expected);
+      CHECK(run(mesh, surface, options, Schedule::Smp, features) == expected);
     }
   }
   vtkSMPTools::SetBackend(backend.c_str());
   RemeshOptions other = options;
   other.seed = options.seed + 1;
-  CHECK(run(mesh, surface, other, Schedule::Smp) != expected);
+  CHECK(run(mesh, surface, other, Schedule::Smp, features) != expected);
 }
 
 /** The intake, with facets to merge, to drop and to turn. */
@@ -213,6 +218,22 @@ void testEmbedding(const SurfaceMesh& mesh)
     CHECK(bytes.string() == expected);
   }
 }
+
+/** Patches that are moved apart, their copies of sites, and the fit. */
+void testFeatures()
+{
+  SurfaceMesh mesh = test::meshOf(test::cube());
+  const Features features = findFeatures(mesh, FeatureOptions());
+  EmbeddedSurface surface = test::embedded(mesh, 6);
+  separatePatches(features.facetPatches, features.numberOfPatches, surface);
+  RemeshOptions options;
+  options.numberOfSites = 900; // more than a block of the fit
+  options.exactNumber = true;
+  options.lloydIterations = 2;
+  options.quasiNewton.iterations = 4;
+  options.placement = VertexPlacement::Fit;
+  checkCase(mesh, surface, options, &features);
+}
 }
 
 int TestReproducibility(int, char*[])
@@ -221,6 +242,7 @@ int TestReproducibility(int, char*[])
   const SurfaceMesh coarse = test::meshOf(test::cube());
   testIntake();
   testEmbedding(fine);
+  testFeatures();
   for (const int d : { 3, 6 })
   {
     RemeshOptions options;
