@@ -81,7 +81,7 @@ void checkBlock(const PlacementProblem& problem, const std::vector<Point3>& posi
     const auto begin = static_cast<Index>(samples.blocks().begin(block));
     const auto end = static_cast<Index>(samples.blocks().end(block));
     StarBlock sums;
-    fit.sum(begin, samples.of(block, fit.scratch), samples.unit(), sums);
+    fit.sum(samples, block, sums);
     std::map<Index, VertexSums> expected;
     for (Index vertex = begin; vertex < end; ++vertex)
     {

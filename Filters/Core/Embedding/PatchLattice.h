@@ -4,7 +4,7 @@
  *
  * The places form a cubic lattice in the last few coordinates, so that they are not far out, where
  * doubles are sparse: in six dimensions the coordinates of a hundred patches lose seven bits at
- * most. Points may move, but by less than a patch's size: they would come to another.
+ * most. Only by moving farther than the surface is wide does a point come to be another patch's.
  */
 #ifndef remesh_PatchLattice_h
 #define remesh_PatchLattice_h

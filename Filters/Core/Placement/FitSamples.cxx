@@ -3,6 +3,8 @@
 #include "Mesh/Extent.h"
 #include "Placement/SurfaceSamples.h"
 
+#include <cmath>
+
 namespace remesh
 {
 namespace

@@ -235,12 +235,7 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
     const Offset size = std::min(blocksPerGroup, count - first);
     std::vector<StarBlock> sums(static_cast<std::size_t>(size));
     if (!forEachBlock(size, control.silent(),
-          [&](Offset block)
-          {
-            const auto fit = pool.borrow();
-            fit->sum(static_cast<Index>(samples.blocks().begin(first + block)),
-              samples.of(first + block, fit->scratch), samples.unit(), sums[block]);
-          }))
+          [&](Offset block) { pool.borrow()->sum(samples, first + block, sums[block]); }))
     {
       return false;
     }

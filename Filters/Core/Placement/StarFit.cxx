@@ -27,19 +27,21 @@ int cornerOf(Index vertex, const Triple& triangle)
 }
 }
 
-void StarFit::sum(Index firstVertex, const SampleBlock& samples, double unit, StarBlock& block)
+void StarFit::sum(FitSamples& samples, Offset number, StarBlock& block)
 {
-  for (std::size_t v = 0; v < samples.counts.size(); ++v)
+  const SampleBlock& sampled = samples.of(number, m_scratch);
+  const auto first = static_cast<Index>(samples.blocks().begin(number));
+  for (std::size_t v = 0; v < sampled.counts.size(); ++v)
   {
-    this->enter(firstVertex + static_cast<Index>(v), block);
-    const SampleGroup* groups = samples.groups.data() + samples.begins[v];
-    m_others.resize(static_cast<std::size_t>(samples.counts[v]));
+    this->enter(first + static_cast<Index>(v), block);
+    const SampleGroup* groups = sampled.groups.data() + sampled.begins[v];
+    m_others.resize(static_cast<std::size_t>(sampled.counts[v]));
     const Point3 shift = m_problem.components.centroids[m_center] - m_positions[m_center];
-    const Index others = m_sum({ m_star, groups, unit, samples.counts[v], shift.data(),
+    const Index others = m_sum({ m_star, groups, samples.unit(), sampled.counts[v], shift.data(),
       block.sums.data(), m_others.data() });
     for (Index k = 0; k < others; ++k)
     {
-      this->addClosest(groups[m_others[k] / lanes], m_others[k] % lanes, unit, block);
+      this->addClosest(groups[m_others[k] / lanes], m_others[k] % lanes, samples.unit(), block);
     }
   }
   for (const Index triangle : block.triangles)

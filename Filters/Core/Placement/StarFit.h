@@ -39,12 +39,9 @@ public:
    * as it does (so never in another sheet): where it lies right above some of them, in the nearest
    * of these; else in the one with the closest point. O(samples times triangles of a vertex).
    *
-   * @param unit of the samples' lengths.
+   * @param number of the block of samples.
    */
-  void sum(Index firstVertex, const SampleBlock& samples, double unit, StarBlock& block);
-
-  /** Room for samples that are not kept. */
-  SampleBlock scratch;
+  void sum(FitSamples& samples, Offset number, StarBlock& block);
 
 private:
   void enter(Index vertex, StarBlock& block);
@@ -59,6 +56,7 @@ private:
   std::vector<Index> m_slots;       ///< T, of the block's sums; noIndex where it has none
   std::vector<StarTriangle> m_star; ///< those with area; zero where too narrow to lie above
   std::vector<Index> m_others;
+  SampleBlock m_scratch; ///< samples that are not kept
   StarSummation m_sum = starSummation(widestInstructionSet());
 };
 }

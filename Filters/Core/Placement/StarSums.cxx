@@ -23,29 +23,32 @@ struct Summation
     product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
-  /** Of eight samples: what is multiplied by b_i b_j, then what is multiplied by b_i. */
+  /** What is multiplied by b_i b_j, then what is multiplied by b_i; each column of eight samples.
+   */
+  using Terms = double[2 * lanes][lanes];
+
   [[gnu::always_inline]] static inline void findTerms(
-    const Lanes (&normal)[3], const Lanes& weight, const Lanes& residual, Lanes (&terms)[2 * lanes])
+    const Lanes (&normal)[3], const Lanes& weight, const Lanes& residual, Terms& terms)
   {
     const Lanes x = weight * normal[0];
     const Lanes y = weight * normal[1];
     const Lanes z = weight * normal[2];
-    terms[0] = x * normal[0];
-    terms[1] = x * normal[1];
-    terms[2] = x * normal[2];
-    terms[3] = y * normal[1];
-    terms[4] = y * normal[2];
-    terms[5] = z * normal[2];
-    terms[6] = weight;
-    terms[7] = Lanes{};
-    terms[8] = x * residual;
-    terms[9] = y * residual;
-    terms[10] = z * residual;
-    terms[11] = x;
-    terms[12] = y;
-    terms[13] = z;
-    terms[14] = Lanes{};
-    terms[15] = Lanes{};
+    store(x * normal[0], terms[0]);
+    store(x * normal[1], terms[1]);
+    store(x * normal[2], terms[2]);
+    store(y * normal[1], terms[3]);
+    store(y * normal[2], terms[4]);
+    store(z * normal[2], terms[5]);
+    store(weight, terms[6]);
+    store(Lanes{}, terms[7]);
+    store(x * residual, terms[8]);
+    store(y * residual, terms[9]);
+    store(z * residual, terms[10]);
+    store(x, terms[11]);
+    store(y, terms[12]);
+    store(z, terms[13]);
+    store(Lanes{}, terms[14]);
+    store(Lanes{}, terms[15]);
   }
 
   [[gnu::always_inline]] static inline void addProduct(
@@ -57,16 +60,16 @@ struct Summation
     store(sum, sums);
   }
 
-  /** One sample, whose terms are in `lane` of the columns. */
+  /** One sample, whose terms are in `lane` of their columns. */
   [[gnu::always_inline]] static inline void add(
-    const double (&columns)[2 * lanes][lanes], int lane, const double (&b)[3], TriangleSums& sums)
+    const Terms& terms, int lane, const double (&b)[3], TriangleSums& sums)
   {
     Lanes quadratic;
     Lanes linear;
     for (int k = 0; k < lanes; ++k)
     {
-      quadratic[k] = columns[k][lane];
-      linear[k] = columns[lanes + k][lane];
+      quadratic[k] = terms[k][lane];
+      linear[k] = terms[lanes + k][lane];
     }
     addProduct(b[0] * b[0], quadratic, sums.pairs[0]);
     addProduct(b[1] * b[1], quadratic, sums.pairs[1]);
@@ -130,13 +133,8 @@ struct Summation
   [[gnu::always_inline]] static inline void addAll(const StarTask& task, const Lanes (&normal)[3],
     const Lanes& weight, const Feet& feet, Index begin, int size, Index& others)
   {
-    Lanes terms[2 * lanes];
+    Terms terms;
     findTerms(normal, weight, feet.residual, terms);
-    double columns[2 * lanes][lanes];
-    for (int k = 0; k < 2 * lanes; ++k)
-    {
-      store(terms[k], columns[k]);
-    }
     double firsts[lanes];
     double seconds[lanes];
     unsigned long long triangles[lanes];
@@ -155,7 +153,7 @@ struct Summation
       b[triangle.corner] = 1.0 - firsts[lane] - seconds[lane];
       b[next(triangle.corner)] = firsts[lane];
       b[next(next(triangle.corner))] = seconds[lane];
-      add(columns, lane, b, task.sums[triangle.sums]);
+      add(terms, lane, b, task.sums[triangle.sums]);
     }
   }
 
@@ -195,14 +193,9 @@ void addSample(
   const double normal[3], double weight, const double b[3], double residual, TriangleSums& sums)
 {
   const Lanes around[3] = { Lanes{} + normal[0], Lanes{} + normal[1], Lanes{} + normal[2] };
-  Lanes terms[2 * lanes];
+  Summation::Terms terms;
   Summation::findTerms(around, Lanes{} + weight, Lanes{} + residual, terms);
-  double columns[2 * lanes][lanes];
-  for (int k = 0; k < 2 * lanes; ++k)
-  {
-    store(terms[k], columns[k]);
-  }
   const double weights[3] = { b[0], b[1], b[2] };
-  Summation::add(columns, 0, weights, sums);
+  Summation::add(terms, 0, weights, sums);
 }
 }

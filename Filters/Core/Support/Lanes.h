@@ -46,19 +46,6 @@ using LaneBits = unsigned long long __attribute__((vector_size(8 * lanes)));
   negative = 0ULL - (negative >> 63);
 }
 
-/** The values of the chosen lanes, infinity in the others. */
-[[gnu::always_inline]] inline void storeChosen(
-  const Lanes& values, const LaneBits& chosen, double* to)
-{
-  const Lanes others = Lanes{} + std::numeric_limits<double>::infinity();
-  LaneBits bits;
-  LaneBits otherBits;
-  std::memcpy(&bits, &values, sizeof values);
-  std::memcpy(&otherBits, &others, sizeof others);
-  bits = (bits & chosen) | (otherBits & ~chosen);
-  std::memcpy(to, &bits, sizeof bits);
-}
-
 /** Takes over the chosen lanes of other values. */
 [[gnu::always_inline]] inline void replaceChosen(
   const Lanes& by, const LaneBits& chosen, Lanes& values)
@@ -69,6 +56,15 @@ using LaneBits = unsigned long long __attribute__((vector_size(8 * lanes)));
   std::memcpy(&others, &values, sizeof values);
   bits = (bits & chosen) | (others & ~chosen);
   std::memcpy(&values, &bits, sizeof bits);
+}
+
+/** The values of the chosen lanes, infinity in the others. */
+[[gnu::always_inline]] inline void storeChosen(
+  const Lanes& values, const LaneBits& chosen, double* to)
+{
+  Lanes stored = Lanes{} + std::numeric_limits<double>::infinity();
+  replaceChosen(values, chosen, stored);
+  store(stored, to);
 }
 
 /** One bit for each lane that is set. */
