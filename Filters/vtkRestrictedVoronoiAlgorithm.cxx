@@ -5,6 +5,7 @@
 #include "Adaptors/DiagramOutput.h"
 #include "Adaptors/NumberRun.h"
 #include "Adaptors/ProgressAdaptor.h"
+#include "Features/FeatureGraph.h"
 #include "MeshDistance.h"
 
 #include "vtkCellData.h"
@@ -115,16 +116,23 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
 {
   using Ports = vtkRestrictedVoronoiAlgorithm;
   remesh::DiagramPoints points;
+  remesh::EdgeTable edges;
   const std::function<void()> steps[] = {
     [&]() { remesh::writeSurface(source, vtkPolyData::GetData(ports, Ports::SURFACE), warnings); },
     [&]()
     {
       if (choice.VoronoiCells || choice.Edges)
       {
-        // When it is cancelled, so is the run, which is asked about after each step.
-        static_cast<void>(remesh::numberDiagramPoints(source.prepared.mesh, source.result.edges,
-          { source.surface(), source.result.sites, source.result.diagram }, source.control,
-          points));
+        const auto& features = source.prepared.features;
+        edges = remesh::buildCutEdgeTable(
+          source.prepared.mesh, features ? &*features : nullptr, source.control);
+        // When one of these is cancelled, so is the run, which is asked about after each step.
+        if (!source.control.cancelled())
+        {
+          static_cast<void>(remesh::numberDiagramPoints(source.prepared.mesh, edges,
+            { source.surface(), source.result.sites, source.result.diagram }, source.control,
+            points));
+        }
       }
     },
     [&]()
@@ -139,7 +147,7 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
     {
       if (choice.Edges)
       {
-        remesh::writeEdges(source, points, vtkPolyData::GetData(ports, Ports::EDGES));
+        remesh::writeEdges(source, edges, points, vtkPolyData::GetData(ports, Ports::EDGES));
       }
     },
     [&]()
@@ -230,13 +238,15 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
     this->MaximumCellEmbeddingDimension };
 
+  const bool writesDiagram =
+    choice.VoronoiCells || choice.Edges || input->GetCellData()->GetNumberOfArrays() > 0;
+
   const auto write = [&]()
   {
     const Clock::time_point start = Clock::now();
-    if (!choice.VoronoiCells && !choice.Edges && input->GetCellData()->GetNumberOfArrays() == 0)
+    if (!writesDiagram)
     {
       result.diagram = {}; // room for the ports
-      result.edges = {};
     }
     remesh::Status status =
       writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
@@ -265,6 +275,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       }
       if (status.ok())
       {
+        options.keepDiagram = writesDiagram;
         status = remesh::remeshWithNumber(
           { input, sites, request }, options, control.part(0.0, 0.95), outcome);
         facts.Seconds["intake"] = outcome.intakeSeconds;

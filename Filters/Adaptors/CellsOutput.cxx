@@ -161,11 +161,11 @@ enum EdgeType
 };
 
 /** What the edge that starts at a vertex of a piece is drawn as; each edge is drawn once. */
-EdgeType typeOf(const DiagramSource& source, Offset piece, Index across)
+EdgeType typeOf(const DiagramSource& source, const EdgeTable& cutEdges, Offset piece, Index across)
 {
   const Diagram& diagram = source.result.diagram;
   const std::optional<Features>& features = source.prepared.features;
-  const EdgeTable& edges = features ? features->edges : source.result.edges;
+  const EdgeTable& edges = features ? features->edges : cutEdges;
   if (across >= 0)
   {
     return across < diagram.sites[piece] ? Hidden : CellBorder;
@@ -186,7 +186,8 @@ EdgeType typeOf(const DiagramSource& source, Offset piece, Index across)
 
 /** Calls `visit(line, piece, vertex, next, type)` for all that is drawn; `begin(count)` before. */
 template <class Begin, class Visit>
-void forEachLine(const DiagramSource& source, const Begin& begin, const Visit& visit)
+void forEachLine(
+  const DiagramSource& source, const EdgeTable& cutEdges, const Begin& begin, const Visit& visit)
 {
   const Diagram& diagram = source.result.diagram;
   const Blocks blocks = longBlocks(diagram.numberOfPieces());
@@ -198,7 +199,8 @@ void forEachLine(const DiagramSource& source, const Begin& begin, const Visit& v
       const Offset end = diagram.vertexBegin[piece + 1];
       for (Offset v = first; v < end; ++v)
       {
-        if (const EdgeType type = typeOf(source, piece, diagram.across[v]); type != Hidden)
+        if (const EdgeType type = typeOf(source, cutEdges, piece, diagram.across[v]);
+            type != Hidden)
         {
           draw(piece, v, v + 1 == end ? first : v + 1, type);
         }
@@ -258,7 +260,8 @@ void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
   }
 }
 
-void writeEdges(const DiagramSource& source, const DiagramPoints& points, vtkPolyData* output)
+void writeEdges(const DiagramSource& source, const EdgeTable& edges, const DiagramPoints& points,
+  vtkPolyData* output)
 {
   const Diagram& diagram = source.result.diagram;
   vtkIdType* ends = nullptr;
@@ -267,7 +270,7 @@ void writeEdges(const DiagramSource& source, const DiagramPoints& points, vtkPol
   vtkNew<vtkIdTypeArray> connectivity;
   vtkNew<vtkIdTypeArray> offsets;
   forEachLine(
-    source,
+    source, edges,
     [&](Offset count)
     {
       const Columns columns{ output->GetCellData(), count, source.control };

@@ -87,8 +87,9 @@ void writeSites(const DiagramSource& source, vtkPolyData* output);
 /** Port 3: the history of the optimisation. */
 void writeConvergence(const DiagramSource& source, vtkTable* output);
 
-/** Port 4: borders between cells, boundary and non-manifold edges. */
-void writeEdges(const DiagramSource& source, const DiagramPoints& points, vtkPolyData* output);
+/** Port 4: borders between cells, boundary and non-manifold edges. `edges`: buildCutEdgeTable. */
+void writeEdges(const DiagramSource& source, const EdgeTable& edges, const DiagramPoints& points,
+  vtkPolyData* output);
 }
 
 #endif

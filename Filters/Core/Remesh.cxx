@@ -131,6 +131,10 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   Status status = placeVertices(problem, task.options.placement, control, result.locations,
     result.dual.triangles, result.placement);
   result.seconds.placement += watch.lap();
+  if (!task.options.keepDiagram)
+  {
+    result.diagram = Diagram{};
+  }
   return status.ok() ? knowMesh(control.silent(), result) : status;
 }
 

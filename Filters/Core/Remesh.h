@@ -60,6 +60,8 @@ struct RemeshOptions
   double mostComponents = std::numeric_limits<double>::infinity();
   /** How far curves of the mesh may be from those of the surface at most; unit of the points. */
   double mostCurveError = std::numeric_limits<double>::infinity();
+  /** False: the diagram is freed when the vertices are placed, which leaves room for the rest. */
+  bool keepDiagram = true;
 };
 
 /** What a vertex of the mesh may do when it is placed anew. */
@@ -78,7 +80,6 @@ struct RemeshResult
   PlainSums plainSums;          ///< of the sites, where the surface has a density; else none
   PlainSums plainComponentSums; ///< of the components, likewise
   Diagram diagram;
-  EdgeTable edges;
   Components components;
   Stations stations;                      ///< on the features' curves; none without features
   FeatureSites featureSites;              ///< the first sites; none without features

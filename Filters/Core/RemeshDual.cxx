@@ -21,12 +21,11 @@ constexpr int mostSmoothings = 2;        // in the end, if sites were changed wi
 constexpr double sitesForOneMore = 2e-3; // of all, that were
 
 /** The dual of the diagram, and whether it is proven to be like the surface. */
-Status dualize(const Task& task, const std::vector<Index>& owners, const RunControl& control,
-  RemeshResult& result)
+Status dualize(const Task& task, const EdgeTable& edges, const std::vector<Index>& owners,
+  const RunControl& control, RemeshResult& result)
 {
-  Status status =
-    findComponents(task.mesh, task.surface, result.sites, result.edges, result.diagram, owners,
-      control.step(0, 3), result.components, task.features ? &result.featureSites : nullptr);
+  Status status = findComponents(task.mesh, task.surface, result.sites, edges, result.diagram,
+    owners, control.step(0, 3), result.components, task.features ? &result.featureSites : nullptr);
   if (status.ok() && task.features)
   {
     result.seams = sewAlongFeatures(result.diagram, result.components, task.mesh, task.surface,
@@ -43,7 +42,7 @@ Status dualize(const Task& task, const std::vector<Index>& owners, const RunCont
   }
   if (status.ok())
   {
-    status = certify(task.surface, result.edges, result.diagram, result.components, result.dual,
+    status = certify(task.surface, edges, result.diagram, result.components, result.dual,
       task.features ? &result.seams : nullptr, control.step(2, 3), result.topology.certificate);
   }
   return status;
@@ -61,8 +60,24 @@ Status describeCells(const Task& task, const RunControl& control, RemeshResult& 
   return locateOnSurface(task.mesh, result.diagram, result.components, control, result.locations);
 }
 
+/** The surface's edges, as it is cut, and its topology, if they are not known yet. */
+Status knowSurface(
+  const Task& task, const RunControl& control, EdgeTable& edges, RemeshResult& result)
+{
+  if (!edges.facetEdges.empty())
+  {
+    return Status::success();
+  }
+  edges = buildCutEdgeTable(task.mesh, task.features, control);
+  return control.cancelled()
+    ? Status::cancelled()
+    : measureConnectivity(task.mesh.facetPoints, task.features ? task.features->edges : edges,
+        task.mesh.numberOfPoints(), control, result.topology.surface);
+}
+
 /** The exact diagram of the sites and its dual. */
-Status diagramAndDual(const Task& task, const RunControl& control, RemeshResult& result)
+Status diagramAndDual(
+  const Task& task, const RunControl& control, EdgeTable& edges, RemeshResult& result)
 {
   std::vector<Index> owners;
   {
@@ -79,18 +94,11 @@ Status diagramAndDual(const Task& task, const RunControl& control, RemeshResult&
     result.evaluations += voronoi.evaluations();
     owners = voronoi.owners();
   }
-  return dualize(task, owners, control.step(1, 2), result);
-}
-
-/** The surface's edges, as it is cut, and its topology. */
-Status knowSurface(const Task& task, const RunControl& control, RemeshResult& result)
-{
-  result.edges = task.features ? buildCutEdgeTable(task.mesh, *task.features)
-                               : buildEdgeTable(task.mesh.facetPoints, control);
-  return control.cancelled() ? Status::cancelled()
-                             : measureConnectivity(task.mesh.facetPoints,
-                                 task.features ? task.features->edges : result.edges,
-                                 task.mesh.numberOfPoints(), control, result.topology.surface);
+  if (Status status = knowSurface(task, control.silent(), edges, result); !status.ok())
+  {
+    return status;
+  }
+  return dualize(task, edges, owners, control.step(1, 2), result);
 }
 
 /** A few Lloyd steps for the sites around these places. */
@@ -104,21 +112,22 @@ Status settle(const Task& task, const Sites& earlier, const SiteChanges& changes
 }
 
 /** Diagram and dual, again and again while there is something to mend. */
-Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& result)
+Status mendAll(
+  const Task& task, RunControl rest, EdgeTable& edges, Repair& repair, RemeshResult& result)
 {
   const RemeshOptions& options = task.options;
-  const bool mayRepair = options.optimize &&
-    options.lloydIterations + options.quasiNewton.iterations > 0 &&
-    (task.features || result.topology.surface.nonManifoldEdges == 0);
   // Each round fills half of the progress that is left.
   for (int round = 0;; ++round, rest = rest.step(1, 2))
   {
     Stopwatch watch;
-    if (Status status = diagramAndDual(task, rest.step(0, 2), result); !status.ok())
+    if (Status status = diagramAndDual(task, rest.step(0, 2), edges, result); !status.ok())
     {
       return status;
     }
     result.seconds.diagram += watch.lap();
+    const bool mayRepair = options.optimize &&
+      options.lloydIterations + options.quasiNewton.iterations > 0 &&
+      (task.features || result.topology.surface.nonManifoldEdges == 0);
     if (round == 0 &&
       static_cast<double>(result.components.count()) >
         options.mostComponents * static_cast<double>(result.numberOfVertexSites()))
@@ -126,7 +135,8 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
       result.fallsApart = true;
       return Status::success();
     }
-    Sites earlier = mayRepair && !repair.othersStay ? result.sites : Sites{};
+    const SharedSites earlier =
+      mayRepair && !repair.othersStay ? shareSites(result, repair) : SharedSites();
     const Index moved =
       mayRepair && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
     result.seconds.repair += watch.lap();
@@ -138,16 +148,16 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
     roundToCaller(task.surface, result.sites);
     if (!othersMustStay(repair))
     {
-      const SiteChanges changes = compareSites(earlier, result.sites);
-      if (Status status = settle(task, earlier, changes, changes.places, rest.silent(), result);
+      const SiteChanges changes = compareSites(*earlier, result.sites);
+      if (Status status = settle(task, *earlier, changes, changes.places, rest.silent(), result);
           !status.ok())
       {
         return status;
       }
     }
-    else if (leavesUnsettled(repair) && repair.settled.count() == 0)
+    else if (leavesUnsettled(repair) && !repair.settled)
     {
-      repair.settled = std::move(earlier);
+      repair.settled = earlier;
     }
     result.seconds.repair += watch.lap();
   }
@@ -159,20 +169,21 @@ Status mendAll(const Task& task, RunControl rest, Repair& repair, RemeshResult& 
   }
   Stopwatch watch;
   restoreState(repair, result);
-  Status status = diagramAndDual(task, rest.silent(), result);
+  Status status = diagramAndDual(task, rest.silent(), edges, result);
   result.seconds.diagram += watch.lap();
   return status;
 }
 
 /** Spreads the sites evenly where some came or went, as far as nothing breaks. */
-Status smooth(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+Status smooth(const Task& task, const RunControl& control, EdgeTable& edges, Repair& repair,
+  RemeshResult& result)
 {
   Stopwatch watch;
-  if (repair.settled.count() == 0)
+  if (!repair.settled)
   {
     return Status::success();
   }
-  const std::vector<double> places = compareSites(repair.settled, result.sites).places;
+  const std::vector<double> places = compareSites(*repair.settled, result.sites).places;
   bool broken = places.empty() || !result.topology.certificate.holds();
   const bool areFew = static_cast<double>(places.size()) <
     sitesForOneMore * static_cast<double>(result.sites.coordinates.size());
@@ -186,14 +197,14 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
     SiteChanges none;
     none.later.resize(static_cast<std::size_t>(result.sites.count()));
     std::iota(none.later.begin(), none.later.end(), 0);
-    Status status = settle(task, repair.best.sites, none, places, control, result);
+    Status status = settle(task, *repair.best.sites, none, places, control, result);
     if (status.ok())
     {
       for (const Index site : staying)
       {
-        std::copy_n(repair.best.sites.site(site), task.surface.dimension, result.sites.site(site));
+        std::copy_n(repair.best.sites->site(site), task.surface.dimension, result.sites.site(site));
       }
-      status = diagramAndDual(task, control, result);
+      status = diagramAndDual(task, control, edges, result);
     }
     broken = !status.ok() || !result.topology.certificate.holds() ||
       result.components.count() != count || result.seams.intrusions.size() > intrusions ||
@@ -202,7 +213,7 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
     if (status.ok() && broken)
     {
       restoreState(repair, result);
-      status = diagramAndDual(task, control, result);
+      status = diagramAndDual(task, control, edges, result);
     }
     if (!status.ok())
     {
@@ -216,28 +227,23 @@ Status smooth(const Task& task, const RunControl& control, Repair& repair, Remes
 
 Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result)
 {
-  Repair repair;
-  repair.othersStay = othersStay;
-  Status status = knowSurface(task, control.silent(), result);
-  if (status.ok())
   {
-    status = mendAll(task, control, repair, result);
+    Repair repair;
+    repair.othersStay = othersStay;
+    EdgeTable edges; // of the surface, made when the memory that the first diagram takes is free
+    Status status = mendAll(task, control, edges, repair, result);
+    if (status.ok() && !result.fallsApart && !othersStay)
+    {
+      status = smooth(task, control.silent(), edges, repair, result);
+    }
+    if (!status.ok() || result.fallsApart)
+    {
+      return status;
+    }
+    result.wantedVertices = task.options.exactNumber
+      ? task.options.numberOfSites
+      : result.numberOfVertexSites() - result.emptyCells - repair.counts.extraPoints;
   }
-  if (status.ok() && result.fallsApart)
-  {
-    return status;
-  }
-  if (status.ok() && !othersStay)
-  {
-    status = smooth(task, control.silent(), repair, result);
-  }
-  if (!status.ok())
-  {
-    return status;
-  }
-  result.wantedVertices = task.options.exactNumber
-    ? task.options.numberOfSites
-    : result.numberOfVertexSites() - result.emptyCells - repair.counts.extraPoints;
   return describeCells(task, control.silent(), result);
 }
 }

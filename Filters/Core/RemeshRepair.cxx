@@ -25,15 +25,25 @@ constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges 
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 }
 
+SharedSites shareSites(const RemeshResult& result, Repair& repair)
+{
+  const SharedSites& last = repair.atHand;
+  if (!last || last->fixed != result.sites.fixed || last->coordinates != result.sites.coordinates)
+  {
+    repair.atHand = std::make_shared<const Sites>(result.sites);
+  }
+  return repair.atHand;
+}
+
 void keepState(const RemeshResult& result, Repair& repair)
 {
-  repair.best = { result.sites, result.stations, result.featureSites, repair.settled,
+  repair.best = { shareSites(result, repair), result.stations, result.featureSites, repair.settled,
     repair.counts };
 }
 
 void restoreState(Repair& repair, RemeshResult& result)
 {
-  result.sites = repair.best.sites;
+  result.sites = *repair.best.sites;
   result.stations = repair.best.stations;
   result.featureSites = repair.best.featureSites;
   repair.settled = repair.best.settled;
@@ -155,21 +165,27 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
 std::vector<Index> flippedTriangles(
   const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result)
 {
-  std::vector<Point3> positions = result.components.centroids;
   const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
-  std::vector<Triple> triangles = result.dual.triangles;
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   const NearbySurface surface(problem);
   FlipSearch search(surface);
-  FlipRepair repair;
   std::vector<Index> flipped;
-  Status status = repairFlips(problem, surface, result.components.centroids,
-    result.components.centroids, steps, control, search, triangles, positions, repair);
-  if (status.ok() && repair.flippedTriangles > 0)
+  Status status = search.find(result.dual.triangles, result.components.centroids, control, flipped);
+  if (!status.ok() || flipped.empty())
   {
-    status = search.find(triangles, positions, control, flipped);
+    return {};
   }
+  std::vector<Point3> positions = result.components.centroids;
+  std::vector<Triple> triangles = result.dual.triangles;
+  FlipRepair repair;
+  status = repairFlips(problem, surface, result.components.centroids, result.components.centroids,
+    steps, control, search, triangles, positions, repair);
+  if (!status.ok() || repair.flippedTriangles == 0)
+  {
+    return {};
+  }
+  status = search.find(triangles, positions, control, flipped);
   return status.ok() ? flipped : std::vector<Index>();
 }
 

@@ -9,6 +9,7 @@
 #include "RemeshTask.h"
 
 #include <limits>
+#include <memory>
 #include <tuple>
 
 namespace remesh
@@ -21,13 +22,16 @@ struct RepairCounts
   Offset flips = 0; ///< flipped triangles; 0 as long as the topology is being repaired
 };
 
+/** A copy of all sites, held once for all that need it. */
+using SharedSites = std::shared_ptr<const Sites>;
+
 /** What a state of the sites is made of. */
 struct SiteState
 {
-  Sites sites;
+  SharedSites sites;
   Stations stations;
   FeatureSites featureSites;
-  Sites settled;
+  SharedSites settled;
   RepairCounts counts;
 };
 
@@ -61,11 +65,15 @@ struct Repair
   int flipRounds = 0;
   std::vector<Offset> flipsBefore; ///< of these rounds, flipped triangles
 
-  Sites settled; ///< before the first change that no Lloyd's steps followed; none as yet if empty
+  SharedSites atHand;  ///< the last ones that were shared
+  SharedSites settled; ///< before the first change that no Lloyd's steps followed; none as yet
   RepairCounts counts;
   SiteState best;
   Score scoreOfBest = worstScore;
 };
+
+/** The result's sites as they are now. */
+SharedSites shareSites(const RemeshResult& result, Repair& repair);
 
 /** Remembers the result's sites, whether or not they are the best so far. */
 void keepState(const RemeshResult& result, Repair& repair);

@@ -373,10 +373,35 @@ void testOneWinner()
   }
   CHECK_EQUAL(count.wrong, 0);
 }
+
+/** The filter alone agrees where it is sure, and knows nothing of ties: what the benchmark leaves.
+ */
+void testFilterAlone()
+{
+  const FacetSite i{ 2, { 0, 4, 4 } };
+  const FacetSite j{ 3, { 4, 0, 4 } };
+  const FacetSite m{ 4, { 4, 4, 0 } };
+  const auto decide = [&](Index id, double h, Decisions decisions)
+  {
+    const FacetSite q{ id, { h, h, h } };
+    return std::make_pair(
+      beatsOnEdge(q, i, j, 0, true, decisions), beatsInside(q, i, j, m, decisions));
+  };
+  for (const double h : { 1.0, 3.0 }) // they cross at 2, and meet at 8 / 3
+  {
+    CHECK(decide(1, h, Decisions::FilterAlone) == decide(1, h, Decisions::Exact));
+  }
+  const FacetSite first{ 1, { 2, 2, 2 } };
+  const FacetSite last{ 5, { 2, 2, 2 } };
+  CHECK(beatsOnEdge(first, i, j, 0, true) && !beatsOnEdge(last, i, j, 0, true));
+  CHECK_EQUAL(beatsOnEdge(first, i, j, 0, true, Decisions::FilterAlone),
+    beatsOnEdge(last, i, j, 0, true, Decisions::FilterAlone));
+}
 }
 
 int TestPredicates(int, char*[])
 {
+  testFilterAlone();
   testTies();
   testLarge();
   testInvariance();

@@ -95,12 +95,12 @@ private:
 };
 
 std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RemeshResult& result, const RunControl& control)
+  const RemeshResult& result, const RunControl& control, const Features* features)
 {
   Bytes bytes;
   DiagramPoints points;
-  CHECK(numberDiagramPoints(
-    mesh, result.edges, { surface, result.sites, result.diagram }, control, points)
+  CHECK(numberDiagramPoints(mesh, buildCutEdgeTable(mesh, features, control),
+    { surface, result.sites, result.diagram }, control, points)
           .ok());
   bytes.add(points.ofVertex);
   for (const DiagramPoint& point : points.points)
@@ -134,7 +134,7 @@ std::string run(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   RemeshResult result;
   CHECK(remesh::remesh(mesh, surface, options, control, result, features).ok());
   CHECK(features || result.sites.count() == Index(options.numberOfSites));
-  return bytesOf(mesh, surface, result, control);
+  return bytesOf(mesh, surface, result, control, features);
 }
 
 /** The product with each back-end that this VTK has, and the two schedules that disturb it. */

@@ -183,7 +183,7 @@ Status measureConnectivity(const std::vector<Triple>& triangles, const EdgeTable
   {
     return Status::cancelled();
   }
-  topology.boundaryLoops = countLoops(triangles, edges, fans);
+  topology.boundaryLoops = topology.boundaryEdges > 0 ? countLoops(triangles, edges, fans) : 0;
   countPoints(triangles, static_cast<std::size_t>(numberOfPoints), fans, topology);
   topology.eulerCharacteristic = topology.points - topology.edges + topology.triangles;
   return control.cancelled() ? Status::cancelled() : Status::success();

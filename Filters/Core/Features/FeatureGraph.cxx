@@ -290,19 +290,24 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
   return features;
 }
 
-EdgeTable buildCutEdgeTable(const SurfaceMesh& mesh, const Features& features)
+EdgeTable buildCutEdgeTable(
+  const SurfaceMesh& mesh, const Features* features, const RunControl& control)
 {
+  if (!features)
+  {
+    return buildEdgeTable(mesh.facetPoints, control);
+  }
   EdgeTable table;
   const std::size_t count = mesh.facetPoints.size();
   table.facetEdges.resize(count);
-  std::vector<Index> number(features.kinds.size(), noIndex);
+  std::vector<Index> number(features->kinds.size(), noIndex);
   std::vector<Index> valences;
   for (std::size_t f = 0; f < count; ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const Index edge = features.edges.facetEdges[f][k];
-      const bool cut = features.cuts[edge] != 0;
+      const Index edge = features->edges.facetEdges[f][k];
+      const bool cut = features->cuts[edge] != 0;
       if (cut || number[edge] == noIndex)
       {
         number[edge] = static_cast<Index>(valences.size());
@@ -318,7 +323,7 @@ EdgeTable buildCutEdgeTable(const SurfaceMesh& mesh, const Features& features)
     table.edgeFacetsBegin[e + 1] = table.edgeFacetsBegin[e] + valences[e];
   }
   table.edgeFacets.resize(3 * count);
-  std::vector<Offset> next(table.edgeFacetsBegin.begin(), table.edgeFacetsBegin.end() - 1);
+  std::vector<Index> next(table.edgeFacetsBegin.begin(), table.edgeFacetsBegin.end() - 1);
   for (std::size_t f = 0; f < count; ++f)
   {
     for (const Index edge : table.facetEdges[f])

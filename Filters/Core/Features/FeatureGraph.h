@@ -37,8 +37,12 @@ Features findFeatures(
 /**
  * The edges of the surface as it is embedded: as its points have them, but where it is cut open
  * each facet has an edge of its own.
+ *
+ * @param features nullptr: it is cut nowhere.
+ * @return of no use when cancelled.
  */
-EdgeTable buildCutEdgeTable(const SurfaceMesh& mesh, const Features& features);
+EdgeTable buildCutEdgeTable(
+  const SurfaceMesh& mesh, const Features* features, const RunControl& control);
 }
 
 #endif

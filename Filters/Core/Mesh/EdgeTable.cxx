@@ -64,11 +64,11 @@ bool findRuns(const std::vector<Triple>& facetPoints, const RunControl& control,
   const auto count = 3 * static_cast<Offset>(facetPoints.size());
   const auto lower = [&](Offset halfEdge) { return endsOf(facetPoints, halfEdge).first; };
   Groups buckets;
-  lengths.resize(static_cast<std::size_t>(count), 0);
   if (!groupByKey(count, highest + 1, control, lower, buckets))
   {
     return false;
   }
+  lengths.resize(static_cast<std::size_t>(count), 0);
   halfEdges = std::move(buckets.items);
   return forEachRange(longBlocks(highest + 1), control,
     [&](Offset begin, Offset end)
@@ -85,19 +85,15 @@ bool findRuns(const std::vector<Triple>& facetPoints, const RunControl& control,
 /** Step 3: gives each leader its edge, and each edge the beginning of its facets. */
 bool numberEdges(const std::vector<Index>& lengths, const RunControl& control, EdgeTable& table)
 {
-  if (!packItems(
-        static_cast<Offset>(lengths.size()), control, [&](Offset h) { return lengths[h] > 0; },
-        [&](Offset edges) { table.edgeFacetsBegin.assign(static_cast<std::size_t>(edges) + 1, 0); },
-        [&](Offset h, Offset edge)
-        {
-          table.facetEdges[h / 3][h % 3] = static_cast<Index>(edge);
-          table.edgeFacetsBegin[edge] = lengths[h];
-        }))
-  {
-    return false;
-  }
-  table.edgeFacets.resize(static_cast<std::size_t>(scanCounts(table.edgeFacetsBegin)));
-  return true;
+  table.facetEdges.resize(lengths.size() / 3);
+  return packItems(
+    static_cast<Offset>(lengths.size()), control, [&](Offset h) { return lengths[h] > 0; },
+    [&](Offset edges) { table.edgeFacetsBegin.assign(static_cast<std::size_t>(edges) + 1, 0); },
+    [&](Offset h, Offset edge)
+    {
+      table.facetEdges[h / 3][h % 3] = static_cast<Index>(edge);
+      table.edgeFacetsBegin[edge] = lengths[h];
+    });
 }
 
 /** Step 4, for the runs that start in [begin, end). */
@@ -109,7 +105,7 @@ void fillRuns(const std::vector<Index>& halfEdges, Offset begin, Offset end, Edg
     ++begin; // of a run that started before
   }
   Index edge = noIndex;
-  Offset place = 0;
+  Index place = 0;
   for (Offset k = begin; k < size && (k < end || halfEdges[k] >= 0); ++k)
   {
     const bool leads = halfEdges[k] < 0;
@@ -126,13 +122,18 @@ void fillRuns(const std::vector<Index>& halfEdges, Offset begin, Offset end, Edg
 
 bool build(const std::vector<Triple>& facetPoints, const RunControl& control, EdgeTable& table)
 {
-  table.facetEdges.resize(facetPoints.size());
   std::vector<Index> halfEdges;
-  std::vector<Index> lengths;
-  return findRuns(facetPoints, control, halfEdges, lengths) &&
-    numberEdges(lengths, control, table) &&
-    forEachRange(longBlocks(static_cast<Offset>(halfEdges.size())), control,
-      [&](Offset begin, Offset end) { fillRuns(halfEdges, begin, end, table); });
+  {
+    std::vector<Index> lengths;
+    if (!findRuns(facetPoints, control, halfEdges, lengths) ||
+      !numberEdges(lengths, control, table))
+    {
+      return false;
+    }
+  }
+  table.edgeFacets.resize(static_cast<std::size_t>(scanCounts(table.edgeFacetsBegin)));
+  return forEachRange(longBlocks(static_cast<Offset>(halfEdges.size())), control,
+    [&](Offset begin, Offset end) { fillRuns(halfEdges, begin, end, table); });
 }
 }
 

@@ -15,14 +15,14 @@ namespace remesh
 /** Edge k of a facet joins its points k and (k + 1) % 3. */
 struct EdgeTable
 {
-  std::vector<Triple> facetEdges;              ///< F x 3, edge ids
-  std::vector<Offset> edgeFacetsBegin = { 0 }; ///< E + 1, into `edgeFacets`
-  std::vector<Index> edgeFacets;               ///< facets around each edge, ascending
+  std::vector<Triple> facetEdges;             ///< F x 3, edge ids
+  std::vector<Index> edgeFacetsBegin = { 0 }; ///< E + 1, into `edgeFacets`
+  std::vector<Index> edgeFacets;              ///< facets around each edge, ascending
 
   Index numberOfEdges() const { return static_cast<Index>(this->edgeFacetsBegin.size()) - 1; }
   Index valence(Index edge) const
   {
-    return static_cast<Index>(this->edgeFacetsBegin[edge + 1] - this->edgeFacetsBegin[edge]);
+    return this->edgeFacetsBegin[edge + 1] - this->edgeFacetsBegin[edge];
   }
 
   /** Which of the facet's sides the edge is; 3 if none. */

@@ -87,7 +87,9 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   std::vector<Point3>& positions, FlipRepair& repair)
 {
   repair = FlipRepair{};
-  const std::vector<Triple> dual = triangles;
+  static_assert(movingPasses <= turningPass); // so the dual is known where edges turn
+  const std::vector<Triple> dual =
+    steps == FlipSteps::MoveAndTurn ? triangles : std::vector<Triple>();
   RepairedMesh mesh(problem, surface, shapes, triangles, positions);
   Offset doneBefore = 0;
   Effort effort = Effort::OwnStars;

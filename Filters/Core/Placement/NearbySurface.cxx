@@ -17,8 +17,9 @@ NearbySurface::NearbySurface(const PlacementProblem& problem, double leastHeight
   for (Index f = 0; f < problem.mesh.numberOfFacets(); ++f)
   {
     const Point3& first = problem.facetPoint(f, 0);
-    m_reach[f] = std::sqrt(std::max((problem.facetPoint(f, 1) - first).squaredNorm(),
+    const double reach = std::sqrt(std::max((problem.facetPoint(f, 1) - first).squaredNorm(),
       (problem.facetPoint(f, 2) - first).squaredNorm()));
+    m_reach[f] = std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
   }
 }
 

@@ -52,7 +52,7 @@ private:
 
   const PlacementProblem& m_problem;
   double m_leastHeight;
-  std::vector<double> m_reach; ///< F, the largest distance from a facet's first point to another
+  std::vector<float> m_reach; ///< F, at least the distance from a facet's first point to others
 };
 }
 

@@ -49,6 +49,17 @@ Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surfac
   const std::vector<Point3>& known, const std::vector<Point3>& positions, const RunControl& control,
   std::vector<SurfaceLocation>& locations)
 {
+  const auto isKnown = [&](std::size_t v)
+  { return !known.empty() && positions[v] == known[v] && !problem.isFixed(v); };
+  std::size_t first = 0;
+  while (first < positions.size() && isKnown(first))
+  {
+    ++first;
+  }
+  if (first == positions.size())
+  {
+    return Status::success();
+  }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   const bool done =
     forEachRange(Blocks::cut(problem.numberOfVertices(), 64, 4096), control.silent(),
@@ -57,8 +68,7 @@ Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surfac
         std::vector<Index> cells;
         for (auto v = static_cast<Index>(begin); v < end; ++v)
         {
-          if (!known.empty() && positions[v] == known[v] &&
-            !problem.isFixed(static_cast<std::size_t>(v)))
+          if (isKnown(static_cast<std::size_t>(v)))
           {
             continue;
           }
@@ -95,12 +105,20 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
  * the centroids, and at last by turned edges.
  */
 Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& onSurface, const std::vector<Point3>& start, const RunControl& control,
-  std::vector<Triple>& triangles, Placement& placement)
+  const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start,
+  const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
 {
-  FlipSearch search(surface);
+  placement.repair = FlipRepair{};
   FlipRepair& repair = placement.repair;
-  Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, search,
+  FlipSearch search(surface);
+  std::vector<Index> flipped;
+  Status status = search.find(triangles, placement.positions, control, flipped);
+  if (!status.ok() || flipped.empty())
+  {
+    return status;
+  }
+  const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
+  status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, search,
     triangles, placement.positions, repair);
   if (!status.ok() || repair.flippedTriangles == 0)
   {
@@ -114,7 +132,6 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   Offset moved = repair.movedVertices;
   if (status.ok() && other.flippedTriangles < repair.flippedTriangles)
   {
-    std::vector<Index> flipped;
     status = search.find(triangles, placement.positions, control, flipped);
     if (status.ok())
     {
@@ -151,20 +168,20 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
   {
     return status;
   }
-  const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
   if (way == VertexPlacement::Surface)
   {
-    placement.positions = onSurface;
+    placement.positions = placesOnSurface(problem, locations, start);
   }
   const NearbySurface surface(problem, leastHeight(problem.mesh));
-  status = mendFlips(problem, surface, onSurface, start, control.step(1, 2), triangles, placement);
+  status = mendFlips(problem, surface, locations, start, control.step(1, 2), triangles, placement);
   if (!status.ok())
   {
     return status;
   }
-  const std::vector<Point3> known = way == VertexPlacement::Centroid ? start
-    : way == VertexPlacement::Surface                                ? onSurface
-                                                                     : std::vector<Point3>();
-  return locatePlaces(problem, surface, known, placement.positions, control, locations);
+  const std::vector<Point3> known = way == VertexPlacement::Surface
+    ? placesOnSurface(problem, locations, start)
+    : std::vector<Point3>();
+  return locatePlaces(problem, surface, way == VertexPlacement::Centroid ? start : known,
+    placement.positions, control, locations);
 }
 }

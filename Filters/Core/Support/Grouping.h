@@ -25,10 +25,11 @@ inline Blocks longBlocks(Offset count)
 }
 
 /** Turns counts into the sums of those before them; returns the sum of all. */
-inline Offset scanCounts(std::vector<Offset>& counts)
+template <class Integer>
+Integer scanCounts(std::vector<Integer>& counts)
 {
-  Offset sum = 0;
-  for (Offset& count : counts)
+  Integer sum = 0;
+  for (Integer& count : counts)
   {
     sum += std::exchange(count, sum);
   }

@@ -3,8 +3,10 @@
  * @brief Index types and the few aliases that every stage shares.
  *
  * Facets, corners, points and sites are counted with 32 bits (half the memory traffic of the hot
- * loops); sizes are checked where data enters (Mesh/Intake, Optimization/Sampling), so nothing
- * overflows later. Offsets into arrays of pieces and ids of the caller's data have 64 bits.
+ * loops); sizes are checked where data enters (Mesh/Intake, Optimization/Sampling), and that of a
+ * diagram where it is made (Voronoi/DiagramBlocks). Places in arrays of several values for each of
+ * these, and ids of the caller's data, have 64 bits; where such places are stored by the million,
+ * 32.
  */
 #ifndef remesh_Types_h
 #define remesh_Types_h

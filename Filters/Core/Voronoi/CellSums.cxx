@@ -168,15 +168,20 @@ template class BlockAccumulator<3>;
 template class BlockAccumulator<6>;
 template class BlockAccumulator<Eigen::Dynamic>;
 
-Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, int dimension,
-  const RunControl& control, CellSums& sums)
+void beginSums(Index numberOfSites, int dimension, CellSums& sums)
 {
   const auto n = static_cast<std::size_t>(numberOfSites);
-  const auto d = static_cast<std::size_t>(dimension);
   sums.mass.assign(n, 0.0);
   sums.area.assign(n, 0.0);
   sums.energy.assign(n, 0.0);
-  sums.moment.assign(n * d, 0.0);
+  sums.moment.assign(n * static_cast<std::size_t>(dimension), 0.0);
+}
+
+Status addBlocks(
+  const std::vector<BlockSums>& blocks, int dimension, const RunControl& control, CellSums& sums)
+{
+  const auto d = static_cast<std::size_t>(dimension);
+  const auto numberOfSites = static_cast<Index>(sums.mass.size());
   const EntriesOfSites table(blocks, numberOfSites);
   const bool done = forEachRange(Blocks::cut(numberOfSites, 256, 4096), control,
     [&](Offset first, Offset last)
@@ -199,10 +204,11 @@ Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, i
         }
       }
     });
-  if (!done)
-  {
-    return Status::cancelled();
-  }
+  return done ? Status::success() : Status::cancelled();
+}
+
+void finishSums(CellSums& sums)
+{
   sums.totalEnergy = 0.0;
   for (const double energy : sums.energy)
   {
@@ -214,6 +220,5 @@ Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, i
     squared += moment * moment;
   }
   sums.gradientNorm = 2.0 * std::sqrt(squared);
-  return Status::success();
 }
 }

@@ -88,9 +88,15 @@ extern template class BlockAccumulator<3>;
 extern template class BlockAccumulator<6>;
 extern template class BlockAccumulator<Eigen::Dynamic>;
 
-/** Adds the blocks up, parallel over sites. O(entries d). */
-Status reduceBlocks(const std::vector<BlockSums>& blocks, Index numberOfSites, int dimension,
-  const RunControl& control, CellSums& sums);
+/** Sums that blocks can be added to. */
+void beginSums(Index numberOfSites, int dimension, CellSums& sums);
+
+/** Adds the blocks of the next facets, parallel over sites. O(entries d). */
+Status addBlocks(
+  const std::vector<BlockSums>& blocks, int dimension, const RunControl& control, CellSums& sums);
+
+/** The sums over all sites, when all blocks are there. */
+void finishSums(CellSums& sums);
 }
 
 #endif

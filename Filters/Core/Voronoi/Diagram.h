@@ -21,11 +21,11 @@ namespace remesh
  */
 struct Diagram
 {
-  std::vector<Offset> facetBegin;       ///< F + 1, into the pieces
+  std::vector<Index> facetBegin;        ///< F + 1, into the pieces
   std::vector<Index> sites;             ///< P
   std::vector<Index> facets;            ///< P
   std::vector<PieceIntegral> integrals; ///< P
-  std::vector<Offset> vertexBegin;      ///< P + 1, into the vertices
+  std::vector<Index> vertexBegin;       ///< P + 1, into the vertices
   /** V, site beyond the edge that starts at a vertex, or -1 - k on the facet's edge k. */
   std::vector<Index> across;
 

@@ -64,10 +64,11 @@ Status appendBlocks(std::vector<DiagramBlock>& blocks, double share, Diagram& di
     pieces += block.sites.size();
     vertices += block.across.size();
   }
-  if (diagram.sites.size() + pieces > static_cast<std::size_t>(maximumIndex))
+  // There are more vertices than pieces.
+  if (diagram.across.size() + vertices > static_cast<std::size_t>(maximumIndex))
   {
-    return Status::invalid("The diagram has more pieces than the " + std::to_string(maximumIndex) +
-      " that can be held.");
+    return Status::invalid("The pieces of the diagram have more vertices than the " +
+      std::to_string(maximumIndex) + " that can be held.");
   }
   makeRoom(diagram.sites, pieces, share);
   makeRoom(diagram.facets, pieces, share);

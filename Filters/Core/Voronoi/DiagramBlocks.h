@@ -34,7 +34,7 @@ void beginDiagram(Diagram& diagram);
  *
  * @param share of the surface's facets that is done with these blocks: memory for the rest is
  *        reserved in proportion, so that as little as possible is moved later.
- * @return InvalidInput for more pieces than an Index counts.
+ * @return InvalidInput if the pieces have more vertices than an Index counts.
  */
 Status appendBlocks(std::vector<DiagramBlock>& blocks, double share, Diagram& diagram);
 

@@ -17,13 +17,14 @@ constexpr double aboveRounding = 1.0 + 1e-9;
 
 template <int D>
 FacetDecomposition<D>::FacetDecomposition(const EmbeddedSurface& surface, const Sites& sites,
-  const NeighborLists& lists, const std::vector<Index>& owners)
+  const NeighborLists& lists, const std::vector<Index>& owners, Decisions decisions)
   : m_surface(surface)
   , m_sites(sites)
   , m_lists(lists)
   , m_owners(owners)
   , m_corners(surface)
   , m_security(surface.dimension)
+  , m_tiling(decisions)
   , m_slotOfSite(static_cast<std::size_t>(sites.count()))
   , m_cutOfSlot(static_cast<std::size_t>(sites.count()), 0)
   , m_center(static_cast<std::size_t>(surface.dimension))

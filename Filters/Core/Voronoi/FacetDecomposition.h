@@ -36,7 +36,7 @@ class FacetDecomposition
 {
 public:
   FacetDecomposition(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
-    const std::vector<Index>& owners);
+    const std::vector<Index>& owners, Decisions decisions = Decisions::Exact);
 
   /** Forgets longer lists; call between blocks to bound the memory. */
   void beginBlock() { m_longer.clear(); }

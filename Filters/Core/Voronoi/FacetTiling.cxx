@@ -43,13 +43,13 @@ bool FacetTiling::beats(const Polygon& polygon, int vertex, int i, int q) const
   }
   if (incoming < 0)
   {
-    return beatsOnEdge(sq, si, m_sites[outgoing], -1 - incoming, true);
+    return beatsOnEdge(sq, si, m_sites[outgoing], -1 - incoming, true, m_decisions);
   }
   if (outgoing < 0)
   {
-    return beatsOnEdge(sq, si, m_sites[incoming], -1 - outgoing, false);
+    return beatsOnEdge(sq, si, m_sites[incoming], -1 - outgoing, false, m_decisions);
   }
-  return beatsInside(sq, si, m_sites[incoming], m_sites[outgoing]);
+  return beatsInside(sq, si, m_sites[incoming], m_sites[outgoing], m_decisions);
 }
 
 // The beaten vertices of a convex polygon are consecutive: they give way to two new ones, at the

@@ -32,6 +32,11 @@ using Polygon = std::vector<PieceVertex>;
 class FacetTiling
 {
 public:
+  explicit FacetTiling(Decisions decisions = Decisions::Exact)
+    : m_decisions(decisions)
+  {
+  }
+
   /** Starts a facet. `corners` are the ids that make an edge's direction common to both sides. */
   void begin(const Triple& corners, const FacetConstants& constants);
 
@@ -55,6 +60,7 @@ private:
   bool beats(const Polygon& polygon, int vertex, int i, int q) const;
   void construct(int i, int incoming, int outgoing, double b[3]) const;
 
+  Decisions m_decisions;
   Triple m_corners{};
   FacetConstants m_constants;
   std::vector<FacetSite> m_sites;

@@ -241,11 +241,22 @@ void NeighborLists::buildList(
 
 Status NeighborLists::build(const Sites& sites, const RunControl& control)
 {
-  const bool known = m_search && m_built.coordinates.size() == sites.coordinates.size();
   m_built = sites;
-  m_search.emplace(m_built);
+  return this->buildAll(m_built, control);
+}
+
+Status NeighborLists::buildInPlace(const Sites& sites, const RunControl& control)
+{
+  m_built = Sites{};
+  return this->buildAll(sites, control);
+}
+
+Status NeighborLists::buildAll(const Sites& sites, const RunControl& control)
+{
   const Index count = sites.count();
   const auto n = static_cast<std::size_t>(count);
+  const bool known = m_search && m_places.size() == n;
+  m_search.emplace(sites);
   m_length = std::min(longestList, count - 1);
   m_ids.resize(n * static_cast<std::size_t>(m_length));
   m_distances.resize(m_ids.size());
@@ -258,7 +269,7 @@ Status NeighborLists::build(const Sites& sites, const RunControl& control)
   const bool done = forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)
     {
-      NearbySites nearby(*m_search, m_built);
+      NearbySites nearby(*m_search, sites);
       std::vector<Neighbor> found;
       double former = 0.0; // nothing is known yet
       // Its own last list, or that of a site before, which is near as a rule, tells how far to

@@ -46,7 +46,7 @@ public:
     : m_limit(limit)
   {
   }
-  NeighborLists(const NeighborLists&) = delete; // the tree points into this object
+  NeighborLists(const NeighborLists&) = delete; // the tree points to the sites, which may be here
   NeighborLists& operator=(const NeighborLists&) = delete;
 
   /** Makes the lists valid for these sites: builds them if too many sites have moved too far. */
@@ -54,6 +54,9 @@ public:
 
   /** Builds the tree and the lists for these sites. */
   Status build(const Sites& sites, const RunControl& control);
+
+  /** The same without a copy of the sites: they must stay where they are while this is in use. */
+  Status buildInPlace(const Sites& sites, const RunControl& control);
 
   NeighborList list(Index site) const
   {
@@ -102,6 +105,7 @@ private:
     Index count = 0;
   };
 
+  Status buildAll(const Sites& sites, const RunControl& control);
   Status measureDisplacements(const Sites& sites, const RunControl& control);
   bool findLeapers(const Sites& sites, const RunControl& control);
   double meanReach() const;
@@ -110,7 +114,7 @@ private:
   void buildList(Index site, double radius, NearbySites& nearby, std::vector<Neighbor>& found);
 
   double m_limit;
-  Sites m_built; ///< the sites when the lists were built
+  Sites m_built; ///< the sites when the lists were built, if they may move
   std::optional<NeighborSearch> m_search;
   std::vector<Index> m_ids;       ///< n x length
   std::vector<float> m_distances; ///< n x length

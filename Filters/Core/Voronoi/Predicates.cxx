@@ -37,13 +37,13 @@ int exactOrient2d(const Plane& a, const Plane& b, const Plane& c)
   return sum.sign();
 }
 
-int orient2d(const Plane& a, const Plane& b, const Plane& c)
+int orient2d(const Plane& a, const Plane& b, const Plane& c, Decisions decisions)
 {
   const double left = (b[0] - a[0]) * (c[1] - a[1]);
   const double right = (b[1] - a[1]) * (c[0] - a[0]);
   const double bound = orient2dBound * (std::abs(left) + std::abs(right));
   const double det = left - right;
-  if (std::abs(det) > bound && bound > safeMagnitude)
+  if ((std::abs(det) > bound && bound > safeMagnitude) || decisions == Decisions::FilterAlone)
   {
     return signOf(det);
   }
@@ -63,7 +63,8 @@ void addDeterminant(
 }
 
 /** Sign of det(j - i, m - i, q - i). */
-int orient3d(const FacetSite& i, const FacetSite& j, const FacetSite& m, const FacetSite& q)
+int orient3d(const FacetSite& i, const FacetSite& j, const FacetSite& m, const FacetSite& q,
+  Decisions decisions)
 {
   double u[3], v[3], w[3];
   for (int k = 0; k < 3; ++k)
@@ -82,7 +83,7 @@ int orient3d(const FacetSite& i, const FacetSite& j, const FacetSite& m, const F
     permanent += std::abs(w[k]) * (std::abs(left) + std::abs(right));
   }
   const double bound = orient3dBound * permanent;
-  if (std::abs(det) > bound && bound > safeMagnitude)
+  if ((std::abs(det) > bound && bound > safeMagnitude) || decisions == Decisions::FilterAlone)
   {
     return signOf(det);
   }
@@ -121,15 +122,16 @@ int orientationSum(const FacetSite& a, const FacetSite& b, const FacetSite& c)
 // (u_k w_l - u_l w_k) / (u_k - u_l): orient2d of (H_k, H_l) over a known sign. A common shift eps
 // of one site changes that determinant by eps times: u_k - u_l for q, w_l - w_k for j, and for i
 // the rest; the site of the largest id whose factor is not zero decides a tie.
-bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving)
+bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving,
+  Decisions decisions)
 {
   const int l = (k + 1) % 3;
   const int direction = leaving ? 1 : -1; // sign of u_k - u_l
   const Plane pi{ i.h[k], i.h[l] };
   const Plane pj{ j.h[k], j.h[l] };
   const Plane pq{ q.h[k], q.h[l] };
-  int sign = orient2d(pi, pj, pq);
-  if (sign == 0)
+  int sign = orient2d(pi, pj, pq, decisions);
+  if (sign == 0 && decisions == Decisions::Exact)
   {
     // Differences of differences, as orientations against the diagonal direction (1, 1).
     const auto along = [](const Plane& a, const Plane& b)
@@ -165,10 +167,11 @@ bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int
 // With u = H_j - H_i, v = H_m - H_i, w = H_q - H_i the point is u x v over its (positive) sum, and
 // q beats i there when det(u, v, w) < 0. A common shift of q, j, m or i changes the determinant by
 // the orientation sums of the other three.
-bool beatsInside(const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m)
+bool beatsInside(const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m,
+  Decisions decisions)
 {
-  int sign = orient3d(i, j, m, q);
-  if (sign == 0)
+  int sign = orient3d(i, j, m, q, decisions);
+  if (sign == 0 && decisions == Decisions::Exact)
   {
     struct Factor
     {

@@ -40,6 +40,14 @@ inline bool beatsSomewhere(const FacetSite& q, const FacetSite& i)
   return beatsAtCorner(q, i, 0) || beatsAtCorner(q, i, 1) || beatsAtCorner(q, i, 2);
 }
 
+/** How far a decision goes. */
+enum class Decisions
+{
+  Exact,
+  /** Takes what the filter finds, sure or not. To measure the cost of the rest: not robust. */
+  FilterAlone
+};
+
 /**
  * Whether q beats i at the point where the bisector of i and j crosses the facet's edge from
  * corner k to corner (k + 1) % 3.
@@ -47,14 +55,16 @@ inline bool beatsSomewhere(const FacetSite& q, const FacetSite& i)
  * @param leaving true when that edge, walked from k, leaves the cell of i at the point (i wins at
  *        the k side), false when it enters it.
  */
-bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving);
+bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int k, bool leaving,
+  Decisions decisions = Decisions::Exact);
 
 /**
  * Whether q beats i at the point where the cells of i, j, m meet inside the facet, with j across
  * the edge of the piece of i that ends in the point and m across the edge that starts there
  * (the piece counter-clockwise in the facet's orientation).
  */
-bool beatsInside(const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m);
+bool beatsInside(const FacetSite& q, const FacetSite& i, const FacetSite& j, const FacetSite& m,
+  Decisions decisions = Decisions::Exact);
 }
 
 #endif

@@ -12,8 +12,21 @@ namespace remesh
 {
 namespace
 {
-/** Blocks of facets whose pieces are appended to the diagram at once. */
-constexpr Offset diagramWindow = 64;
+/**
+ * Blocks of facets that are added up at once. A diagram is strung together so that hardly any of it
+ * is held twice; with many sites, neither are their sums. As each window looks at all sites, there
+ * are a few only.
+ */
+Offset windowFor(const Blocks& blocks, const Sites& sites, bool forDiagram)
+{
+  constexpr Offset mostWindows = 8;
+  constexpr Offset windowsOfMany = 4;
+  constexpr std::size_t manyCoordinates = 1U << 21U;
+  const Offset windows = forDiagram              ? mostWindows
+    : sites.coordinates.size() > manyCoordinates ? windowsOfMany
+                                                 : 1;
+  return (blocks.count() + windows - 1) / windows;
+}
 
 /** Each block has d sums for each site it meets: in many dimensions, fewer blocks hold less. */
 Blocks cutFacets(const EmbeddedSurface& surface)
@@ -87,10 +100,12 @@ void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
 }
 }
 
-Status RestrictedVoronoi::locate(const Sites& sites, const RunControl& control)
+Status RestrictedVoronoi::locate(const Sites& sites, bool once, const RunControl& control)
 {
   PhaseTimer timer(m_times.neighbors);
-  if (Status status = m_lists.update(sites, control.step(0, 4)); !status.ok())
+  const RunControl listing = control.step(0, 4);
+  if (Status status = once ? m_lists.buildInPlace(sites, listing) : m_lists.update(sites, listing);
+      !status.ok())
   {
     return status;
   }
@@ -103,22 +118,29 @@ Status RestrictedVoronoi::evaluate(
   const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram)
 {
   ++m_evaluations;
-  if (Status status = this->locate(sites, control); !status.ok())
+  if (diagram)
+  {
+    sums = CellSums{};
+    beginDiagram(*diagram);
+  }
+  if (Status status = this->locate(sites, diagram != nullptr, control); !status.ok())
   {
     return status;
   }
   PhaseTimer timer(m_times.clipping);
   const Blocks blocks = cutFacets(m_surface);
-  m_blockSums.resize(static_cast<std::size_t>(blocks.count()));
-  // A diagram is strung together window by window, so that hardly any of it is held twice.
-  const Offset window = diagram ? diagramWindow : std::max<Offset>(blocks.count(), 1);
+  const Offset window =
+    std::clamp<Offset>(m_window > 0 ? m_window : windowFor(blocks, sites, diagram != nullptr), 1,
+      std::max<Offset>(blocks.count(), 1));
+  m_blockSums.resize(static_cast<std::size_t>(window));
   std::vector<DiagramBlock> pieces(diagram ? static_cast<std::size_t>(window) : std::size_t{ 0 });
+  beginSums(sites.count(), m_surface.dimension, sums);
   ScratchPool<BlockScratch<D>> pool(
     [&]()
     {
       return std::unique_ptr<BlockScratch<D>>(new BlockScratch<D>{
         FacetIntegration<D>(m_surface, sites, m_lists, this->owners(), m_instructions),
-        FacetDecomposition<D>(m_surface, sites, m_lists, this->owners()),
+        FacetDecomposition<D>(m_surface, sites, m_lists, this->owners(), m_decisions),
         BlockAccumulator<D>(m_surface, sites) });
     });
   const auto cutWindow = [&](Offset first, Offset last, const RunControl& part)
@@ -128,22 +150,19 @@ Status RestrictedVoronoi::evaluate(
       {
         const Offset block = first + k;
         const auto scratch = pool.borrow();
-        scratch->accumulator.begin(m_blockSums[block]);
+        scratch->accumulator.begin(m_blockSums[k]);
         cutBlock<D>(blocks.begin(block), blocks.end(block), m_surface, this->owners(),
           m_ownership.squared(), *scratch, diagram ? &pieces[k] : nullptr);
         scratch->accumulator.finish();
       });
   };
-  if (diagram)
-  {
-    beginDiagram(*diagram);
-  }
-  const RunControl cutting = control.step(2, 4);
   const auto windows = static_cast<int>((blocks.count() + window - 1) / window);
   for (int k = 0; k < windows; ++k)
   {
+    const RunControl part = control.step(1, 2).step(k, windows);
     const Offset last = std::min(blocks.count(), (k + 1) * window);
-    if (!cutWindow(k * window, last, cutting.step(k, windows)))
+    m_blockSums.resize(static_cast<std::size_t>(last - k * window));
+    if (!cutWindow(k * window, last, part.step(0, 2)))
     {
       return Status::cancelled();
     }
@@ -153,14 +172,22 @@ Status RestrictedVoronoi::evaluate(
     {
       return status;
     }
+    timer.next(m_times.reduction);
+    if (Status status = addBlocks(m_blockSums, m_surface.dimension, part.step(1, 2), sums);
+        !status.ok())
+    {
+      return status;
+    }
+    timer.next(m_times.clipping);
   }
   timer.next(m_times.reduction);
+  finishSums(sums);
   if (diagram)
   {
     pieces = std::vector<DiagramBlock>(); // which frees it; {} would keep the memory
     finishDiagram(m_surface.numberOfFacets(), *diagram);
   }
-  return reduceBlocks(m_blockSums, sites.count(), m_surface.dimension, control.step(3, 4), sums);
+  return Status::success();
 }
 
 Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& control, CellSums& sums)

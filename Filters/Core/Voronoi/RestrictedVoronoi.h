@@ -40,18 +40,28 @@ class RestrictedVoronoi
 {
 public:
   /** The surface must outlive this object. */
-  explicit RestrictedVoronoi(
-    const EmbeddedSurface& surface, InstructionSet instructions = widestInstructionSet())
+  explicit RestrictedVoronoi(const EmbeddedSurface& surface,
+    InstructionSet instructions = widestInstructionSet(), Decisions decisions = Decisions::Exact)
     : m_surface(surface)
     , m_instructions(instructions)
+    , m_decisions(decisions)
     , m_lists(surface.patches.leastDistance())
   {
   }
 
+  /**
+   * Adds up the sums of so many blocks of facets at once, instead of as many as suits the sizes;
+   * the sums are the same.
+   */
+  void addUpAtOnce(Offset blocks) { m_window = blocks; }
+
   /** Integrals over the cells of these sites (at least one). */
   Status integrate(const Sites& sites, const RunControl& control, CellSums& sums);
 
-  /** The pieces of all cells and the same integrals. */
+  /**
+   * The pieces of all cells and the same integrals. Nothing is kept of the lists: the way that the
+   * sites came does not matter, nor does that of later ones.
+   */
   Status decompose(const Sites& sites, const RunControl& control, CellSums& sums, Diagram& diagram);
 
   /** Site that owns each corner (C), of the last evaluation. */
@@ -61,12 +71,15 @@ public:
   const EvaluationTimes& times() const { return m_times; }
 
 private:
-  Status locate(const Sites& sites, const RunControl& control);
+  /** @param once whether lists are made for these sites alone, where they stand. */
+  Status locate(const Sites& sites, bool once, const RunControl& control);
   template <int D>
   Status evaluate(const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram);
 
   const EmbeddedSurface& m_surface;
   InstructionSet m_instructions;
+  Decisions m_decisions;
+  Offset m_window = 0; ///< 0: as suits
   NeighborLists m_lists;
   Ownership m_ownership;
   std::vector<BlockSums> m_blockSums; ///< kept for their memory
