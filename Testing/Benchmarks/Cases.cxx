@@ -66,6 +66,14 @@ void measureEnergy(Workshop& workshop, CaseResult& result)
   result.measurements.push_back(one);
 }
 
+void measureExactness(Workshop& workshop, CaseResult& result)
+{
+  const Surface& surface = workshop.fine();
+  Measurement one = described(surface, workshop.shrunk(1e4), workshop.settings());
+  one.figures = costOfExactness(gaussMapped(surface.data), one.points, workshop.settings());
+  result.measurements.push_back(one);
+}
+
 void measureWideRun(Workshop& workshop, CaseResult& result)
 {
   const WideRun wide = { static_cast<int>(workshop.shrunk(1e5)),
@@ -104,8 +112,7 @@ Offset Workshop::shrunk(double number) const
 
 const std::vector<Case>& allCases()
 {
-  // Named by the numbers of triangles and points. Deciding ties exactly has its place here, too:
-  // a case that evaluates with and without, once there is a switch for it.
+  // Named by the numbers of triangles and points.
   static const std::vector<Case> cases = {
     evaluationCase("86k-10k", false, 1e4),
     evaluationCase("86k-100k", false, 1e5),
@@ -119,6 +126,7 @@ const std::vector<Case>& allCases()
     runCase("86k-100k", false, 1e5),
     runCase("1.4M-1M", true, 1e6),
     { "energy-86k-10k", "how far from converged a default run ends", measureEnergy },
+    { "exact-86k-10k", "what exact decisions cost over their filters alone", measureExactness },
     { "wide-100k-1k", "the filter in 5000 dimensions", measureWideRun },
     { "scaling-size", "over triangles m and points n: the fit a m + b n", scaleSize },
     { "scaling-ratio", "over a factor of 100 at fixed m / n: the exponent", scaleRatio },

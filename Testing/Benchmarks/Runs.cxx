@@ -225,6 +225,41 @@ Figures programRun(const Surface& surface, Offset points, const std::vector<std:
     });
 }
 
+Figures costOfExactness(const EmbeddedSurface& surface, Offset points, const Settings& settings)
+{
+  Optimization optimization(surface);
+  orThrow(sampleSurface(surface, points, SamplingMethod::Stratified, 0, optimization.sites));
+  inScope(settings,
+    [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
+  const auto diagram = [&](Decisions decisions)
+  {
+    RestrictedVoronoi voronoi(surface, widestInstructionSet(), decisions);
+    CellSums sums;
+    Diagram made;
+    return timed(
+      [&]() { orThrow(voronoi.decompose(optimization.sites, RunControl(), sums, made)); })
+      .processor;
+  };
+  return repeated(settings,
+    [&]()
+    {
+      double exact = 0.0;
+      double filtered = 0.0;
+      inScope(settings,
+        [&]()
+        {
+          static_cast<void>(diagram(Decisions::Exact)); // for the caches
+          for (int k = 0; k < 4; ++k)
+          {
+            filtered += diagram(Decisions::FilterAlone);
+            exact += diagram(Decisions::Exact);
+          }
+        });
+      return Figures{ { "processor", exact / 4.0, "s" },
+        { "exactness", 100.0 * (exact / filtered - 1.0), "%" } };
+    });
+}
+
 Figures energyLeft(const EmbeddedSurface& surface, Offset points, const Settings& settings)
 {
   Optimization optimization(surface);

@@ -38,6 +38,13 @@ Figures wideRun(const WideRun& wide, const Settings& settings);
 void runWide(const WideRun& wide, const Settings& settings);
 
 /**
+ * What exact decisions cost over their floating-point filters alone (`exactness`, %) in a diagram
+ * of relaxed sites, and what that takes (`processor`). Evaluations leave all but a few facets to
+ * arithmetic that refuses what is too close, and these to the same decisions.
+ */
+Figures costOfExactness(const EmbeddedSurface& surface, Offset points, const Settings& settings);
+
+/**
  * How far from converged (300 quasi-Newton iterations) the default run ends:
  * `energy_above_converged` (%), and after how many `steps_to_0.3_percent` it comes that near.
  */

@@ -63,6 +63,9 @@ def check_measurement(case, one):
         check(5.0 < figures["memory"]["value"] < 1000.0, *where, figures["memory"])
     if case["name"].startswith("wide-"):
         check(figures["memory_multiple"]["value"] > 1.0 and one["dimension"] == 5000, *where)
+    if case["name"].startswith("exact-"):
+        check(figures["processor"]["value"] > 0.0, *where, figures)
+        check(-90.0 < figures["exactness"]["value"] < 900.0, *where, figures)
     if case["name"].startswith("energy-"):
         check(0.0 <= figures["energy_above_converged"]["value"] < 20.0, *where, figures)
         check(figures["steps_to_0.3_percent"]["value"] >= 0, *where, figures)
