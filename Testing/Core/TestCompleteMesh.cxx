@@ -65,10 +65,30 @@ void testFallsApart()
     CHECK_EQUAL(result.placement.positions.empty(), most < 1.0);
   }
 }
+
+/** The diagram may go once the vertices are placed; all else stays as it is. */
+void testKeepDiagram()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.3, 80, 40));
+  const EmbeddedSurface surface = test::gaussMapOf(mesh, 0.05);
+  RemeshOptions options;
+  options.numberOfSites = 300;
+  RemeshResult kept;
+  CHECK(remesh::remesh(mesh, surface, options, RunControl(), kept).ok());
+  options.keepDiagram = false;
+  RemeshResult result;
+  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+  CHECK(kept.diagram.numberOfPieces() > 0);
+  CHECK(result.diagram.sites.empty() && result.diagram.integrals.empty());
+  CHECK(result.dual.triangles == kept.dual.triangles);
+  CHECK(result.placement.positions == kept.placement.positions);
+  CHECK_EQUAL(result.topology.mesh.eulerCharacteristic, 0);
+}
 }
 
 int TestCompleteMesh(int, char*[])
 {
+  testKeepDiagram();
   testFallsApart();
   testOthersStay();
   return test::result();

@@ -170,8 +170,10 @@ class TestCannot(CommandLineTest):
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
         for extension in FORMATS + ("PLY",):
+            # VTK's own writers do not tell why.
+            reason = "File too large" if extension in ("vtp", "obj") else ""
             with self.subTest(extension=extension):
-                self.fail_with(1, "cannot write", self.input(), "out." + extension,
+                self.fail_with(1, "cannot write.*" + reason, self.input(), "out." + extension,
                                "--report", "r.json", *SMALL, preexec_fn=limit)
 
     def test_failure_keeps_older_files(self):
