@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace remesh
 {
@@ -60,7 +62,15 @@ Status describeCells(const Task& task, const RunControl& control, RemeshResult& 
   return locateOnSurface(task.mesh, result.diagram, result.components, control, result.locations);
 }
 
-/** The surface's edges, as it is cut, and its topology, if they are not known yet. */
+/** What one diagram leaves to the next. */
+struct Carried
+{
+  EdgeTable edges;           ///< of the surface, as it is cut
+  SharedSites sites;         ///< of the result's diagram; none as yet
+  std::vector<Index> owners; ///< C, of the corners
+};
+
+/** The surface's edges and its topology, if they are not known yet. */
 Status knowSurface(
   const Task& task, const RunControl& control, EdgeTable& edges, RemeshResult& result)
 {
@@ -75,30 +85,48 @@ Status knowSurface(
         task.mesh.numberOfPoints(), control, result.topology.surface);
 }
 
-/** The exact diagram of the sites and its dual. */
-Status diagramAndDual(
-  const Task& task, const RunControl& control, EdgeTable& edges, RemeshResult& result)
+/** Whether sites may be changed at all. The surface must be known. */
+bool mayRepair(const Task& task, const RemeshResult& result)
 {
-  std::vector<Index> owners;
+  return task.options.optimize &&
+    task.options.lloydIterations + task.options.quasiNewton.iterations > 0 &&
+    (task.features || result.topology.surface.nonManifoldEdges == 0);
+}
+
+/** The exact diagram of the sites and its dual. */
+Status diagramAndDual(const Task& task, const RunControl& control, Carried& carried, Repair& repair,
+  RemeshResult& result)
+{
   {
+    Diagram before;
+    std::optional<EarlierDiagram> earlier;
+    if (carried.sites)
+    {
+      before = std::move(result.diagram);
+      earlier.emplace(EarlierDiagram{ *carried.sites, before, carried.owners });
+    }
     // Begun afresh, the diagram depends on the sites alone, and not on the way they came; ended
     // here, its lists and sums make room for the dual.
     RestrictedVoronoi voronoi(task.surface);
-    if (Status status =
-          voronoi.decompose(result.sites, control.step(0, 2), result.sums, result.diagram);
+    if (Status status = voronoi.decompose(result.sites, control.step(0, 2), result.sums,
+          result.diagram, earlier ? &*earlier : nullptr);
         !status.ok())
     {
       return status;
     }
     result.emptyCells = countEmptyFree(result.sites, result.sums);
     result.evaluations += voronoi.evaluations();
-    owners = voronoi.owners();
+    carried.owners = voronoi.owners();
   }
-  if (Status status = knowSurface(task, control.silent(), edges, result); !status.ok())
+  if (Status status = knowSurface(task, control.silent(), carried.edges, result); !status.ok())
   {
     return status;
   }
-  return dualize(task, edges, owners, control.step(1, 2), result);
+  if (mayRepair(task, result))
+  {
+    carried.sites = shareSites(result, repair);
+  }
+  return dualize(task, carried.edges, carried.owners, control.step(1, 2), result);
 }
 
 /** A few Lloyd steps for the sites around these places. */
@@ -113,21 +141,19 @@ Status settle(const Task& task, const Sites& earlier, const SiteChanges& changes
 
 /** Diagram and dual, again and again while there is something to mend. */
 Status mendAll(
-  const Task& task, RunControl rest, EdgeTable& edges, Repair& repair, RemeshResult& result)
+  const Task& task, RunControl rest, Carried& carried, Repair& repair, RemeshResult& result)
 {
   const RemeshOptions& options = task.options;
   // Each round fills half of the progress that is left.
   for (int round = 0;; ++round, rest = rest.step(1, 2))
   {
     Stopwatch watch;
-    if (Status status = diagramAndDual(task, rest.step(0, 2), edges, result); !status.ok())
+    if (Status status = diagramAndDual(task, rest.step(0, 2), carried, repair, result);
+        !status.ok())
     {
       return status;
     }
     result.seconds.diagram += watch.lap();
-    const bool mayRepair = options.optimize &&
-      options.lloydIterations + options.quasiNewton.iterations > 0 &&
-      (task.features || result.topology.surface.nonManifoldEdges == 0);
     if (round == 0 &&
       static_cast<double>(result.components.count()) >
         options.mostComponents * static_cast<double>(result.numberOfVertexSites()))
@@ -135,10 +161,9 @@ Status mendAll(
       result.fallsApart = true;
       return Status::success();
     }
-    const SharedSites earlier =
-      mayRepair && !repair.othersStay ? shareSites(result, repair) : SharedSites();
+    const SharedSites earlier = carried.sites;
     const Index moved =
-      mayRepair && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
+      earlier && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
     result.seconds.repair += watch.lap();
     if (moved == 0)
     {
@@ -169,13 +194,13 @@ Status mendAll(
   }
   Stopwatch watch;
   restoreState(repair, result);
-  Status status = diagramAndDual(task, rest.silent(), edges, result);
+  Status status = diagramAndDual(task, rest.silent(), carried, repair, result);
   result.seconds.diagram += watch.lap();
   return status;
 }
 
 /** Spreads the sites evenly where some came or went, as far as nothing breaks. */
-Status smooth(const Task& task, const RunControl& control, EdgeTable& edges, Repair& repair,
+Status smooth(const Task& task, const RunControl& control, Carried& carried, Repair& repair,
   RemeshResult& result)
 {
   Stopwatch watch;
@@ -204,7 +229,7 @@ Status smooth(const Task& task, const RunControl& control, EdgeTable& edges, Rep
       {
         std::copy_n(repair.best.sites->site(site), task.surface.dimension, result.sites.site(site));
       }
-      status = diagramAndDual(task, control, edges, result);
+      status = diagramAndDual(task, control, carried, repair, result);
     }
     broken = !status.ok() || !result.topology.certificate.holds() ||
       result.components.count() != count || result.seams.intrusions.size() > intrusions ||
@@ -213,7 +238,7 @@ Status smooth(const Task& task, const RunControl& control, EdgeTable& edges, Rep
     if (status.ok() && broken)
     {
       restoreState(repair, result);
-      status = diagramAndDual(task, control, edges, result);
+      status = diagramAndDual(task, control, carried, repair, result);
     }
     if (!status.ok())
     {
@@ -230,11 +255,11 @@ Status findDual(const Task& task, bool othersStay, const RunControl& control, Re
   {
     Repair repair;
     repair.othersStay = othersStay;
-    EdgeTable edges; // of the surface, made when the memory that the first diagram takes is free
-    Status status = mendAll(task, control, edges, repair, result);
+    Carried carried;
+    Status status = mendAll(task, control, carried, repair, result);
     if (status.ok() && !result.fallsApart && !othersStay)
     {
-      status = smooth(task, control.silent(), edges, repair, result);
+      status = smooth(task, control.silent(), carried, repair, result);
     }
     if (!status.ok() || result.fallsApart)
     {

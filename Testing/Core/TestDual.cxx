@@ -76,7 +76,7 @@ test::DualOf checkedDual(
   CHECK_EQUAL(Offset(distinct.size()), count);
   const test::Shape shape = test::shapeOf(made.dual.triangles);
   CHECK_EQUAL(made.dual.eulerCharacteristic, shape.vertices - Offset(edges.size()) + count);
-  CHECK_EQUAL(made.dual.numberOfNonManifoldEdges, Offset(shape.crowdedEdges));
+  CHECK_EQUAL(made.dual.edges.numberOfNonManifold(), Offset(shape.crowdedEdges));
   return made;
 }
 
@@ -159,7 +159,7 @@ void testThreeSheets()
   const test::Shape shape = test::shapeOf(made.dual.triangles);
   CHECK_EQUAL(shape.pieces, 1);
   CHECK_EQUAL(shape.vertices, 200);
-  CHECK(made.dual.numberOfNonManifoldEdges > 0);
+  CHECK(made.dual.edges.numberOfNonManifold() > 0);
 }
 
 /** One or two cells meet nowhere in three. */

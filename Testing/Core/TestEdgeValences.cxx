@@ -23,6 +23,7 @@ void checkTriangles(const std::vector<Triple>& triangles, Index numberOfVertices
     for (int k = 0; k < 3; ++k)
     {
       const Index edge = edges.facetEdges[t][k];
+      CHECK_EQUAL(valences.of(triangles[t][k], triangles[t][(k + 1) % 3]), edges.valence(edge));
       if (edges.edgeFacets[edges.edgeFacetsBegin[edge]] == static_cast<Index>(t) &&
         edges.valence(edge) != 2)
       {

@@ -1,8 +1,9 @@
-// Optimization/LocalRelaxation: what changed between sites, and steps that are Lloyd's around it.
+// Optimization/LocalRelaxation: steps that are Lloyd's around it.
 
 #include "Optimization/Lloyd.h"
 #include "Optimization/LocalRelaxation.h"
 #include "TestDiagrams.h"
+#include "TestSiteEdits.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,43 +12,6 @@ using namespace remesh;
 
 namespace
 {
-/** Appends a copy of a site, displaced along one axis. */
-void append(Sites& sites, Index site, double displacement)
-{
-  const std::vector<double> row(sites.site(site), sites.site(site) + sites.dimension);
-  sites.coordinates.insert(sites.coordinates.end(), row.begin(), row.end());
-  sites.site(sites.count() - 1)[0] += displacement;
-}
-
-void erase(Sites& sites, Index site)
-{
-  const auto first =
-    sites.coordinates.begin() + static_cast<std::ptrdiff_t>(site) * sites.dimension;
-  sites.coordinates.erase(first, first + sites.dimension);
-}
-
-void testChanges()
-{
-  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(2)), 6);
-  Sites earlier = test::sampled(surface, 50, 1);
-  append(earlier, 7, 0.0); // two at one place
-  CHECK(compareSites(earlier, earlier).places.empty());
-  CHECK_EQUAL(compareSites(earlier, earlier).later[7], 7);
-  CHECK_EQUAL(compareSites(earlier, earlier).later[50], 50);
-
-  Sites later = earlier;
-  erase(later, 50);
-  erase(later, 20);
-  append(later, 30, 1e-15);
-  const SiteChanges changes = compareSites(earlier, later);
-  CHECK_EQUAL(changes.later[7], 7);
-  CHECK_EQUAL(changes.later[50], noIndex);
-  CHECK_EQUAL(changes.later[20], noIndex);
-  CHECK_EQUAL(changes.later[49], 48);
-  CHECK(changes.added == std::vector<Index>{ 49 });
-  CHECK_EQUAL(changes.places.size(), std::size_t(3 * 6));
-}
-
 /**
  * One step around sites that are gone and added: those around take Lloyd's step on the whole
  * surface, all others stay to the bit; fixed ones, too.
@@ -68,8 +32,8 @@ void testOneStep()
     CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
 
     Sites later = earlier;
-    erase(later, 400);
-    append(later, 500, 1e-3);
+    test::erase(later, 400);
+    test::append(later, 500, 1e-3);
     const Sites start = later;
     const SiteChanges changes = compareSites(earlier, later);
     CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 1, 1, RunControl(), later)
@@ -98,7 +62,7 @@ void testEmptyCell()
 {
   const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(3)), 6);
   Sites earlier = test::sampled(surface, 300, 4);
-  append(earlier, 150, 0.0);
+  test::append(earlier, 150, 0.0);
   CellSums sums;
   Diagram diagram;
   CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
@@ -148,7 +112,7 @@ void testLentCorners()
     CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
     Sites& later = moved[lends];
     later = earlier;
-    erase(later, 70);
+    test::erase(later, 70);
     const Sites start = later;
     const SiteChanges changes = compareSites(earlier, later);
     CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 2, 1, RunControl(), later)
@@ -168,7 +132,7 @@ void testNothingToMove()
   Diagram diagram;
   CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
   Sites later = earlier;
-  erase(later, 20);
+  test::erase(later, 20);
   later.fixed = 99;
   const Sites start = later;
   const SiteChanges changes = compareSites(earlier, later);
@@ -180,7 +144,6 @@ void testNothingToMove()
 
 int TestLocalRelaxation(int, char*[])
 {
-  testChanges();
   testOneStep();
   testEmptyCell();
   testLentCorners();

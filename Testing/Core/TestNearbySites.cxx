@@ -6,6 +6,8 @@
 #include "TestSurfaces.h"
 #include "Voronoi/NearbySites.h"
 
+#include <numeric>
+
 using namespace remesh;
 
 namespace
@@ -43,7 +45,9 @@ void checkSites(const Sites& sites, Index begin, Index end, double mostRadius)
   std::vector<int> visits(static_cast<std::size_t>(sites.count()), 0);
   std::vector<Neighbor> found;
   const auto radiusOf = [&](Index site) { return mostRadius * uniform01(5, site, 0); };
-  nearby.forEach(begin, end, radiusOf,
+  std::vector<Index> some(static_cast<std::size_t>(end - begin));
+  std::iota(some.begin(), some.end(), begin);
+  nearby.forEach(some.data(), some.data() + some.size(), radiusOf,
     [&](Index site, double radius)
     {
       ++visits[static_cast<std::size_t>(site)];
@@ -94,8 +98,10 @@ void testRadiusFromBefore()
   NearbySites nearby(search, sites);
   std::vector<Neighbor> found;
   double former = 0.0;
+  std::vector<Index> all(static_cast<std::size_t>(sites.count()));
+  std::iota(all.begin(), all.end(), 0);
   nearby.forEach(
-    0, sites.count(), [&](Index) { return former; },
+    all.data(), all.data() + all.size(), [&](Index) { return former; },
     [&](Index site, double radius)
     {
       nearby.within(site, radius, found);

@@ -117,9 +117,9 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   bytes.addAll(components.ofPiece, components.sites, components.ranks, components.pieceBegin,
     components.pieces, components.mass, components.area, components.energy, components.centroids);
   bytes.addAll(result.locations, result.placement.positions, result.dual.triangles,
-    result.dual.repeated, result.dual.numberOfNonManifoldEdges, result.dual.eulerCharacteristic,
+    result.dual.repeated, result.dual.edges.edges, result.dual.eulerCharacteristic,
     result.numbersOfNeighbors, result.convergence.rows);
-  for (const auto& [ends, triangles] : result.dual.irregularEdges)
+  for (const auto& [ends, triangles] : result.dual.edges.irregular)
   {
     bytes.addAll(ends.first, ends.second, triangles);
   }

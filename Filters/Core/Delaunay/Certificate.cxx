@@ -152,7 +152,7 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
   if (dual.repeated.empty())
   {
     checkCells(isDisk, dual.triangles, crossings, certificate);
-    checkEdges(dual.irregularEdges, crossings, crowded, certificate);
+    checkEdges(dual.edges.irregular, crossings, crowded, certificate);
   }
   else
   {

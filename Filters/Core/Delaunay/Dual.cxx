@@ -109,16 +109,14 @@ std::vector<Index> countUses(const std::vector<Triple>& triangles, Index numberO
 /** Counts what the triangles make. */
 Status examine(Index numberOfVertices, const RunControl& control, Dual& dual)
 {
-  EdgeValences valences = countEdgeValences(dual.triangles, numberOfVertices, control);
-  dual.numberOfNonManifoldEdges = valences.numberOfNonManifold();
-  dual.irregularEdges = std::move(valences.irregular);
+  dual.edges = countEdgeValences(dual.triangles, numberOfVertices, control);
   if (control.cancelled())
   {
     return Status::cancelled();
   }
   const std::vector<Index> uses = countUses(dual.triangles, numberOfVertices);
   const auto used = static_cast<Offset>(uses.size()) - std::count(uses.begin(), uses.end(), 0);
-  dual.eulerCharacteristic = used - valences.edges + static_cast<Offset>(dual.triangles.size());
+  dual.eulerCharacteristic = used - dual.edges.edges + static_cast<Offset>(dual.triangles.size());
   return Status::success();
 }
 }
@@ -146,8 +144,8 @@ Status buildDual(const Diagram& diagram, const Components& components, const Run
 Status dropHangingTriangles(
   Components& components, Seams& seams, const RunControl& control, Dual& dual)
 {
-  if (dual.numberOfNonManifoldEdges == 0 ||
-    removeHangingTriangles(components, dual.triangles, dual.repeated, seams) == 0)
+  if (dual.edges.numberOfNonManifold() == 0 ||
+    removeHangingTriangles(dual.edges, components, dual.triangles, dual.repeated, seams) == 0)
   {
     return Status::success();
   }

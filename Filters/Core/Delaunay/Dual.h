@@ -15,9 +15,8 @@ struct Dual
   std::vector<Triple> triangles; ///< components, oriented like the facet they come from
   /** Further points of three cells whose triangle was there already; sorted, and each ascending. */
   std::vector<Triple> repeated;
-  std::vector<EdgeValence> irregularEdges; ///< those that have not just two triangles, ascending
-  Offset numberOfNonManifoldEdges = 0;     ///< edges of more than two triangles
-  Offset eulerCharacteristic = 0;          ///< used vertices - edges + triangles
+  EdgeValences edges;
+  Offset eulerCharacteristic = 0; ///< used vertices - edges + triangles
 };
 
 /**

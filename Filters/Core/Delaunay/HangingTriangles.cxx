@@ -1,7 +1,5 @@
 #include "Delaunay/HangingTriangles.h"
 
-#include "Mesh/EdgeTable.h"
-
 #include <algorithm>
 
 namespace remesh
@@ -9,10 +7,9 @@ namespace remesh
 namespace
 {
 /** Which vertex takes over each that hangs; noIndex for all others. */
-std::vector<Index> findHeirs(
-  const std::vector<Triple>& triangles, const Components& components, const Seams& seams)
+std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const EdgeValences& edges,
+  const Components& components, const Seams& seams)
 {
-  const EdgeTable edges = buildEdgeTable(triangles);
   std::vector<Index> uses(static_cast<std::size_t>(components.count()), 0);
   for (const Triple& triangle : triangles)
   {
@@ -32,14 +29,15 @@ std::vector<Index> findHeirs(
   std::vector<Index> heirs(uses.size(), noIndex);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    const Triple& own = edges.facetEdges[t];
     for (int k = 0; k < 3; ++k)
     {
+      const Index from = triangles[t][k];
+      const Index to = triangles[t][(k + 1) % 3];
       const Index apex = triangles[t][(k + 2) % 3];
-      if (edges.valence(own[k]) > 2 && edges.valence(own[(k + 1) % 3]) == 1 &&
-        edges.valence(own[(k + 2) % 3]) == 1 && uses[apex] == 1 && !stays[apex])
+      if (uses[apex] == 1 && !stays[apex] && edges.of(from, to) > 2 && edges.of(to, apex) == 1 &&
+        edges.of(apex, from) == 1)
       {
-        heirs[apex] = triangles[t][k]; // which has other triangles, and so does not hang itself
+        heirs[apex] = from; // which has other triangles, and so does not hang itself
       }
     }
   }
@@ -116,10 +114,10 @@ void listPieces(Components& components)
 }
 }
 
-Index removeHangingTriangles(Components& components, std::vector<Triple>& triangles,
-  std::vector<Triple>& repeated, Seams& seams)
+Index removeHangingTriangles(const EdgeValences& edges, Components& components,
+  std::vector<Triple>& triangles, std::vector<Triple>& repeated, Seams& seams)
 {
-  const std::vector<Index> heirs = findHeirs(triangles, components, seams);
+  const std::vector<Index> heirs = findHeirs(triangles, edges, components, seams);
   const auto kept = std::count(heirs.begin(), heirs.end(), noIndex);
   const Index count = components.count() - static_cast<Index>(kept);
   if (count == 0)

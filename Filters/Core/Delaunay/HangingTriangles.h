@@ -10,6 +10,7 @@
 #define remesh_HangingTriangles_h
 
 #include "Delaunay/Collar.h"
+#include "Mesh/EdgeValences.h"
 
 namespace remesh
 {
@@ -18,12 +19,13 @@ namespace remesh
  * more than two triangles on the third. The pieces of that vertex go to a vertex of the third edge.
  * Vertices on features stay.
  *
+ * @param edges of these triangles.
  * @param repeated triangles that are there already; those of a vertex that goes are no more.
  * @param seams brought up to date, like the others.
  * @return the number of triangles removed. O(T).
  */
-Index removeHangingTriangles(Components& components, std::vector<Triple>& triangles,
-  std::vector<Triple>& repeated, Seams& seams);
+Index removeHangingTriangles(const EdgeValences& edges, Components& components,
+  std::vector<Triple>& triangles, std::vector<Triple>& repeated, Seams& seams);
 }
 
 #endif

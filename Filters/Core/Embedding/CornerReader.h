@@ -11,6 +11,15 @@
 
 namespace remesh
 {
+/** The centre of a facet, by its corners in R^d. */
+inline void findCenter(const std::array<const double*, 3>& corners, std::vector<double>& center)
+{
+  for (std::size_t k = 0; k < center.size(); ++k)
+  {
+    center[k] = (corners[0][k] + corners[1][k] + corners[2][k]) * (1.0 / 3.0);
+  }
+}
+
 /**
  * One thread's window on the corners of a surface. D: see dispatchDimension; only surfaces of other
  * dimensions than those compiled for are ever lent.

@@ -3,6 +3,7 @@
 #include "Support/Parallel.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace remesh
 {
@@ -11,36 +12,61 @@ namespace
 constexpr Offset smallestWindow = Offset(1) << 14; // vertices
 constexpr Offset mostWindows = 32;                 // each looks at all triangles
 
-/** The edges whose lower vertex is in [begin, end). */
-EdgeValences countWindow(const std::vector<Triple>& triangles, Offset begin, Offset end)
+/** Calls `visit(lower, upper)` for the edges of the triangles whose lower vertex is in a range. */
+template <class Visit>
+void forEachEdge(const std::vector<Triple>& triangles, Offset begin, Offset end, const Visit& visit)
 {
-  std::vector<std::pair<Index, Index>> edges;
   for (const Triple& triangle : triangles)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const std::pair<Index, Index> edge = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-      if (edge.first >= begin && edge.first < end)
+      const auto [lower, upper] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+      if (lower >= begin && lower < end)
       {
-        edges.push_back(edge);
+        visit(lower, upper);
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
+}
+
+/** The edges whose lower vertex is in [begin, end): listed by that vertex, each list in order. */
+EdgeValences countWindow(const std::vector<Triple>& triangles, Offset begin, Offset end)
+{
+  std::vector<Offset> ends(static_cast<std::size_t>(end - begin) + 1, 0); // of the lists
+  forEachEdge(triangles, begin, end, [&](Index lower, Index) { ++ends[lower - begin + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Index> uppers(static_cast<std::size_t>(ends.back()));
+  std::vector<Offset> next(ends.begin(), ends.end() - 1);
+  forEachEdge(triangles, begin, end,
+    [&](Index lower, Index upper) { uppers[next[lower - begin]++] = upper; });
   EdgeValences valences;
-  for (auto edge = edges.begin(); edge != edges.end();)
+  for (std::size_t list = 0; list + 1 < ends.size(); ++list)
   {
-    const auto next = std::find_if(
-      edge, edges.end(), [edge](const std::pair<Index, Index>& other) { return other != *edge; });
-    ++valences.edges;
-    if (next - edge != 2)
+    const auto last = uppers.begin() + ends[list + 1];
+    std::sort(uppers.begin() + ends[list], last);
+    for (auto upper = uppers.begin() + ends[list]; upper != last;)
     {
-      valences.irregular.emplace_back(*edge, static_cast<Index>(next - edge));
+      const auto other = std::find_if(upper, last, [=](Index end) { return end != *upper; });
+      ++valences.edges;
+      if (other - upper != 2)
+      {
+        const auto lower = static_cast<Index>(begin + static_cast<Offset>(list));
+        valences.irregular.push_back({ { lower, *upper }, static_cast<Index>(other - upper) });
+      }
+      upper = other;
     }
-    edge = next;
   }
   return valences;
 }
+}
+
+Index EdgeValences::of(Index a, Index b) const
+{
+  const std::pair<Index, Index> edge = std::minmax(a, b);
+  const auto found = std::lower_bound(this->irregular.begin(), this->irregular.end(), edge,
+    [](const EdgeValence& other, const std::pair<Index, Index>& ends)
+    { return other.first < ends; });
+  return found != this->irregular.end() && found->first == edge ? found->second : 2;
 }
 
 Offset EdgeValences::numberOfNonManifold() const

@@ -21,12 +21,14 @@ struct EdgeValences
   Offset edges = 0;
   std::vector<EdgeValence> irregular; ///< those that have not just two triangles, ascending
 
+  /** The number of triangles of an edge of the mesh. O(log of the irregular ones). */
+  Index of(Index a, Index b) const;
   Offset numberOfNonManifold() const;
 };
 
 /**
- * Sorts the edges in windows of their lower vertex, each of which looks at all triangles: a mesh of
- * a million points takes some megabytes a thread. O(T log T) and 32 looks at T, in parallel.
+ * Lists the edges in windows of their lower vertex, each of which looks at all triangles: a mesh of
+ * a million points takes some megabytes a thread. O(T), and up to 64 looks at T, in parallel.
  *
  * @return nothing counted when cancelled.
  */

@@ -4,7 +4,6 @@
 #include "Voronoi/NeighborSearch.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace remesh
 {
@@ -12,28 +11,6 @@ namespace
 {
 constexpr Index moving = 24;   // sites nearest to a place that move, about two rings
 constexpr Index covering = 60; // that see their part of the surface, about four rings
-
-/** -1, 0, 1 as the row of one site is before, like or after that of another. */
-int compareRows(const Sites& a, Index i, const Sites& b, Index j)
-{
-  const double* x = a.site(i);
-  const double* y = b.site(j);
-  const auto [atX, atY] = std::mismatch(x, x + a.dimension, y);
-  return atX == x + a.dimension ? 0 : *atX < *atY ? -1 : 1;
-}
-
-std::vector<Index> orderOfRows(const Sites& sites)
-{
-  std::vector<Index> order(static_cast<std::size_t>(sites.count()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](Index i, Index j)
-    {
-      const int compared = compareRows(sites, i, sites, j);
-      return compared != 0 ? compared < 0 : i < j;
-    });
-  return order;
-}
 
 /** What sites around the places are there for; of the earlier ones. */
 struct Neighborhood
@@ -187,39 +164,6 @@ SitesInPart sitesOn(const std::vector<Index>& facets, const Diagram& diagram,
   result.ids.insert(result.ids.end(), movers.begin(), movers.end());
   return result;
 }
-}
-
-SiteChanges compareSites(const Sites& earlier, const Sites& later)
-{
-  const std::vector<Index> before = orderOfRows(earlier);
-  const std::vector<Index> after = orderOfRows(later);
-  SiteChanges changes;
-  changes.later.assign(before.size(), noIndex);
-  const auto addPlace = [&](const double* place)
-  { changes.places.insert(changes.places.end(), place, place + earlier.dimension); };
-  std::size_t b = 0;
-  std::size_t a = 0;
-  while (b < before.size() || a < after.size())
-  {
-    const int compared = b == before.size() ? 1
-      : a == after.size()                   ? -1
-                                            : compareRows(earlier, before[b], later, after[a]);
-    if (compared == 0)
-    {
-      changes.later[before[b++]] = after[a++];
-    }
-    else if (compared < 0)
-    {
-      addPlace(earlier.site(before[b++]));
-    }
-    else
-    {
-      addPlace(later.site(after[a]));
-      changes.added.push_back(after[a++]);
-    }
-  }
-  std::sort(changes.added.begin(), changes.added.end());
-  return changes;
 }
 
 Status relaxAround(const EmbeddedSurface& surface, const Diagram& diagram, const Sites& earlier,

@@ -8,22 +8,12 @@
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/Diagram.h"
+#include "Voronoi/SiteChanges.h"
 
 #include <cstdint>
 
 namespace remesh
 {
-/** What became of the sites of one state in another: those with equal coordinates are the same. */
-struct SiteChanges
-{
-  std::vector<Index> later;   ///< n, of each earlier site; noIndex for one that is gone
-  std::vector<Index> added;   ///< later sites that were not there, ascending
-  std::vector<double> places; ///< m x d, of those that are gone and of those that were added
-};
-
-/** O(n log n). */
-SiteChanges compareSites(const Sites& earlier, const Sites& later);
-
 /**
  * Lloyd's steps ([Levy12], Algorithm 3) of the free sites within about two rings of cells around
  * some places; all others stay. They see the part of the surface that the cells within four rings

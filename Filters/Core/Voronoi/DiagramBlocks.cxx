@@ -40,6 +40,21 @@ void DiagramBlock::add(Index facet, Index site, const PieceIntegral& integral,
   }
 }
 
+void DiagramBlock::add(const Diagram& diagram, Offset piece, const std::vector<Index>& later)
+{
+  const Index begin = diagram.vertexBegin[piece];
+  const Index end = diagram.vertexBegin[piece + 1];
+  this->sites.push_back(later[diagram.sites[piece]]);
+  this->facets.push_back(diagram.facets[piece]);
+  this->integrals.push_back(diagram.integrals[piece]);
+  this->sizes.push_back(end - begin);
+  for (Index v = begin; v < end; ++v)
+  {
+    const Index beyond = diagram.across[v];
+    this->across.push_back(beyond < 0 ? beyond : later[beyond]);
+  }
+}
+
 void DiagramBlock::clear()
 {
   this->sites.clear();

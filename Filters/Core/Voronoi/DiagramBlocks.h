@@ -22,6 +22,9 @@ struct DiagramBlock
   void add(Index facet, Index site, const PieceIntegral& integral, const Polygon& polygon,
     const FacetTiling& tiling);
 
+  /** A piece of another diagram, whose sites have the ids `later` now. */
+  void add(const Diagram& diagram, Offset piece, const std::vector<Index>& later);
+
   /** Forgets the pieces and keeps the memory for others. */
   void clear();
 };

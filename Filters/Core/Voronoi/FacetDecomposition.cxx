@@ -97,11 +97,7 @@ template <int D>
 bool FacetDecomposition<D>::gatherCandidates(Index facet)
 {
   const int d = m_surface.dimension;
-  const auto [p0, p1, p2] = m_points;
-  for (int k = 0; k < d; ++k)
-  {
-    m_center[k] = (p0[k] + p1[k] + p2[k]) * (1.0 / 3.0);
-  }
+  findCenter(m_points, m_center);
   Index owner = noIndex;
   double nearest = 0.0;
   for (const Index corner : m_surface.facetCorners[facet])
@@ -210,6 +206,20 @@ void FacetDecomposition<D>::tile()
   std::sort(m_pieces.begin(), m_pieces.begin() + static_cast<std::ptrdiff_t>(m_used),
     [this](const FacetPiece& a, const FacetPiece& b)
     { return m_tiling.site(a.slot).id < m_tiling.site(b.slot).id; });
+}
+
+template <int D>
+void FacetDecomposition<D>::fixFirstVertices()
+{
+  const auto beyond = [this](const PieceVertex& vertex)
+  { return vertex.edge < 0 ? vertex.edge : m_tiling.site(vertex.edge).id; };
+  for (std::size_t k = 0; k < m_used; ++k)
+  {
+    Polygon& polygon = m_pieces[k].polygon;
+    const auto first = std::max_element(polygon.begin(), polygon.end(),
+      [&](const PieceVertex& a, const PieceVertex& b) { return beyond(a) < beyond(b); });
+    std::rotate(polygon.begin(), first, polygon.end());
+  }
 }
 
 template class FacetDecomposition<3>;

@@ -49,6 +49,12 @@ public:
   /** Step 3: cuts that facet; the pieces and `tiling` then hold the result until the next facet. */
   void tile();
 
+  /**
+   * Lets each piece begin with its edge to the site of the highest id, so that no bit of what is
+   * summed up over its vertices depends on the order in which it was cut.
+   */
+  void fixFirstVertices();
+
   /** Whether the facet is shared by just two cells, the owners of its corners. */
   bool twoSites() const { return m_complete && m_used == 2 && m_tiling.numberOfSites() == 2; }
 

@@ -11,7 +11,6 @@
 #include "Voronoi/SiteDistances.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace remesh
 {
@@ -30,7 +29,7 @@ public:
   }
 
   /**
-   * Calls `visit(site, radius)` for the sites of a range, those that lie together one after the
+   * Calls `visit(site, radius)` for the sites [begin, end), those that lie together one after the
    * other; it may ask for the sites within the radius. O(log of their number) for each, and a
    * search for each few.
    *
@@ -38,10 +37,9 @@ public:
    *        visited. It may depend on earlier visits.
    */
   template <class Radius, class Visit>
-  void forEach(Index begin, Index end, const Radius& radius, const Visit& visit)
+  void forEach(const Index* begin, const Index* end, const Radius& radius, const Visit& visit)
   {
-    m_order.resize(static_cast<std::size_t>(end - begin));
-    std::iota(m_order.begin(), m_order.end(), begin);
+    m_order.assign(begin, end);
     this->forEachOf(m_order.data(), m_order.data() + m_order.size(), radius, visit);
   }
 

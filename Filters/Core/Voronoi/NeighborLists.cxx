@@ -52,6 +52,13 @@ Blocks blocksOf(const Sites& sites)
   return Blocks::cut(sites.count(), 1024, 4096);
 }
 
+std::vector<Index> allOf(const Sites& sites)
+{
+  std::vector<Index> all(static_cast<std::size_t>(sites.count()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 /** Order by rank: no branch to foresee, and several comparisons at once. */
 void orderByDistance(std::vector<Neighbor>& found)
 {
@@ -242,31 +249,44 @@ void NeighborLists::buildList(
 Status NeighborLists::build(const Sites& sites, const RunControl& control)
 {
   m_built = sites;
-  return this->buildAll(m_built, control);
+  return this->buildFor(m_built, allOf(sites), control);
 }
 
-Status NeighborLists::buildInPlace(const Sites& sites, const RunControl& control)
+Status NeighborLists::buildInPlace(
+  const Sites& sites, const RunControl& control, const std::vector<Index>* some)
 {
   m_built = Sites{};
-  return this->buildAll(sites, control);
+  m_places.clear(); // they are made anew, and the others are to be empty
+  return this->buildFor(sites, some ? *some : allOf(sites), control);
 }
 
-Status NeighborLists::buildAll(const Sites& sites, const RunControl& control)
+void NeighborLists::makeRoom(std::size_t entries)
+{
+  if (m_room < entries)
+  {
+    m_ids.reset(new Index[entries]);
+    m_distances.reset(new float[entries]);
+    m_room = entries;
+  }
+}
+
+Status NeighborLists::buildFor(
+  const Sites& sites, const std::vector<Index>& listed, const RunControl& control)
 {
   const Index count = sites.count();
   const auto n = static_cast<std::size_t>(count);
   const bool known = m_search && m_places.size() == n;
   m_search.emplace(sites);
   m_length = std::min(longestList, count - 1);
-  m_ids.resize(n * static_cast<std::size_t>(m_length));
-  m_distances.resize(m_ids.size());
+  this->makeRoom(n * static_cast<std::size_t>(m_length));
   m_places.resize(n);
   m_displacements.assign(n, 0.0);
   m_approaches.assign(n, 0.0);
   m_largestDisplacement = 0.0;
   m_usualDisplacement = 0.0;
   m_leapers.assign(n, std::numeric_limits<float>::infinity());
-  const bool done = forEachRange(blocksOf(sites), control,
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(listed.size()), 1024, 4096);
+  const bool done = forEachRange(blocks, control,
     [&](Offset begin, Offset end)
     {
       NearbySites nearby(*m_search, sites);
@@ -276,7 +296,7 @@ Status NeighborLists::buildAll(const Sites& sites, const RunControl& control)
       // look.
       const auto radius = [&](Index site)
       { return known ? this->radiusLike(m_places[site]) : former; };
-      nearby.forEach(static_cast<Index>(begin), static_cast<Index>(end), radius,
+      nearby.forEach(listed.data() + begin, listed.data() + end, radius,
         [&](Index site, double within)
         {
           this->buildList(site, within, nearby, found);

@@ -55,13 +55,19 @@ public:
   /** Builds the tree and the lists for these sites. */
   Status build(const Sites& sites, const RunControl& control);
 
-  /** The same without a copy of the sites: they must stay where they are while this is in use. */
-  Status buildInPlace(const Sites& sites, const RunControl& control);
+  /**
+   * The same without a copy of the sites: they must stay where they are while this is in use.
+   *
+   * @param some if given, only these sites get lists; those of others are empty, and longer ones
+   *        are made where they are walked through.
+   */
+  Status buildInPlace(
+    const Sites& sites, const RunControl& control, const std::vector<Index>* some = nullptr);
 
   NeighborList list(Index site) const
   {
     const std::size_t first = static_cast<std::size_t>(site) * static_cast<std::size_t>(m_length);
-    return { m_ids.data() + first, m_distances.data() + first, m_places[site].count };
+    return { m_ids.get() + first, m_distances.get() + first, m_places[site].count };
   }
   /** No list has more entries. */
   Index longest() const { return m_length; }
@@ -105,7 +111,8 @@ private:
     Index count = 0;
   };
 
-  Status buildAll(const Sites& sites, const RunControl& control);
+  Status buildFor(const Sites& sites, const std::vector<Index>& listed, const RunControl& control);
+  void makeRoom(std::size_t entries);
   Status measureDisplacements(const Sites& sites, const RunControl& control);
   bool findLeapers(const Sites& sites, const RunControl& control);
   double meanReach() const;
@@ -116,9 +123,11 @@ private:
   double m_limit;
   Sites m_built; ///< the sites when the lists were built, if they may move
   std::optional<NeighborSearch> m_search;
-  std::vector<Index> m_ids;       ///< n x length
-  std::vector<float> m_distances; ///< n x length
-  std::vector<Place> m_places;    ///< n
+  // n x length; not even zero, and so without memory of its own, where a list has no entries.
+  std::unique_ptr<Index[]> m_ids;
+  std::unique_ptr<float[]> m_distances;
+  std::size_t m_room = 0;      ///< of these
+  std::vector<Place> m_places; ///< n
   Index m_length = 0;
 
   std::vector<double> m_displacements; ///< n, since the lists were built

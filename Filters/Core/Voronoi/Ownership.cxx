@@ -19,6 +19,7 @@ constexpr float noLead = -1.0F;
 /** With fewer corners to a site, looking after the sites costs more than it saves. */
 constexpr Index fewestCorners = 4;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr float told = std::numeric_limits<float>::infinity();
 
 struct Nearer
 {
@@ -122,17 +123,30 @@ void Ownership::updateRange(Index begin, Index end, const EmbeddedSurface& surfa
   }
 }
 
+void Ownership::begin(std::vector<Index> owners, const Sites& sites)
+{
+  m_owners = std::move(owners);
+  m_leads.assign(m_owners.size(), noLead);
+  m_squared.resize(sites.dimension >= manyDimensions ? m_owners.size() : 0);
+  m_drift = SiteDrift();
+  m_numberOfSites = sites.count();
+}
+
+void Ownership::know(std::vector<Index> owners, const Sites& sites)
+{
+  this->begin(std::move(owners), sites);
+  std::transform(m_owners.begin(), m_owners.end(), m_leads.begin(),
+    [](Index owner) { return owner == noIndex ? noLead : told; });
+  m_someKnown = true;
+}
+
 Status Ownership::update(const EmbeddedSurface& surface, const Sites& sites,
   const NeighborLists& lists, const RunControl& control)
 {
   const auto corners = static_cast<std::size_t>(surface.numberOfCorners());
   if (m_owners.size() != corners || m_numberOfSites != sites.count())
   {
-    m_owners.assign(corners, noIndex);
-    m_leads.assign(corners, noLead);
-    m_squared.resize(surface.dimension >= manyDimensions ? corners : 0);
-    m_drift = SiteDrift();
-    m_numberOfSites = sites.count();
+    this->begin(std::vector<Index>(corners, noIndex), sites);
   }
   const bool keepsLeads = surface.numberOfCorners() / fewestCorners >= sites.count();
   if (Status status =
@@ -151,6 +165,11 @@ Status Ownership::update(const EmbeddedSurface& surface, const Sites& sites,
             static_cast<Index>(begin), static_cast<Index>(end), surface, sites, lists);
         });
     });
+  if (m_someKnown)
+  {
+    std::replace(m_leads.begin(), m_leads.end(), told, noLead);
+    m_someKnown = false;
+  }
   return done ? Status::success() : Status::cancelled();
 }
 }

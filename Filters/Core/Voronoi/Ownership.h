@@ -17,6 +17,9 @@ namespace remesh
 class Ownership
 {
 public:
+  /** Tells the next update owners (C) that it need not find; noIndex at other corners. */
+  void know(std::vector<Index> owners, const Sites& sites);
+
   /** Starts from the last owners; else from that of the corner before, or a search in the tree. */
   Status update(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
     const RunControl& control);
@@ -31,11 +34,14 @@ private:
   void updateRange(Index begin, Index end, const EmbeddedSurface& surface, const Sites& sites,
     const NeighborLists& lists);
 
+  void begin(std::vector<Index> owners, const Sites& sites);
+
   std::vector<Index> m_owners;
   std::vector<double> m_squared;
   SiteDrift m_drift;
   Index m_numberOfSites = 0;
   std::vector<float> m_leads; ///< C, and the owner's drift when it was found; rounded down
+  bool m_someKnown = false;   ///< infinite leads stand for owners that are told, for one update
 };
 }
 

@@ -7,6 +7,7 @@
 #include "Voronoi/FacetIntegration.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace remesh
 {
@@ -45,11 +46,15 @@ struct BlockScratch
   BlockAccumulator<D> accumulator;
 };
 
-/** Cuts the facets [begin, end) and hands each piece to the sums and, if wanted, the pieces. */
+/**
+ * Cuts the facets [begin, end) and hands each piece to the sums and, if wanted, the pieces.
+ *
+ * @param kept pieces that need not be cut, if pieces are wanted.
+ */
 template <int D>
 void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
-  const std::vector<Index>& owners, const std::vector<double>& squared, BlockScratch<D>& scratch,
-  DiagramBlock* pieces)
+  const std::vector<Index>& owners, const std::vector<double>& squared, const KeptPieces* kept,
+  BlockScratch<D>& scratch, DiagramBlock* pieces)
 {
   const bool manyNumbers = D == Eigen::Dynamic && surface.dimension >= manyDimensions;
   FacetDecomposition<D>& decomposition = scratch.decomposition;
@@ -58,6 +63,16 @@ void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
   for (Offset f = begin; f < end; ++f)
   {
     const auto facet = static_cast<Index>(f);
+    if (kept && kept->keeps(facet))
+    {
+      kept->forEachPiece(facet,
+        [&](Offset piece)
+        {
+          pieces->add(kept->diagram(), piece, kept->later());
+          scratch.accumulator.add(facet, pieces->sites.back(), pieces->integrals.back());
+        });
+      continue;
+    }
     const FacetConstants& constants = surface.constants[facet];
     const Triple& corners = surface.facetCorners[facet];
     const Index owner = owners[corners[0]];
@@ -83,6 +98,10 @@ void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
     }
     decomposition.gather(facet);
     decomposition.tile();
+    if (pieces)
+    {
+      decomposition.fixFirstVertices();
+    }
     const FacetTiling& tiling = decomposition.tiling();
     for (const FacetPiece& piece : decomposition)
     {
@@ -100,11 +119,28 @@ void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
 }
 }
 
-Status RestrictedVoronoi::locate(const Sites& sites, bool once, const RunControl& control)
+Status RestrictedVoronoi::locate(const Sites& sites, const RunControl& control)
 {
   PhaseTimer timer(m_times.neighbors);
-  const RunControl listing = control.step(0, 4);
-  if (Status status = once ? m_lists.buildInPlace(sites, listing) : m_lists.update(sites, listing);
+  if (Status status = m_lists.update(sites, control.step(0, 4)); !status.ok())
+  {
+    return status;
+  }
+  timer.next(m_times.ownership);
+  return m_ownership.update(m_surface, sites, m_lists, control.step(1, 4));
+}
+
+Status RestrictedVoronoi::locateOnce(
+  const Sites& sites, const KeptPieces* kept, const RunControl& control)
+{
+  PhaseTimer timer(m_times.neighbors);
+  std::vector<Index> around;
+  if (kept)
+  {
+    around = kept->sitesAround(sites);
+    m_ownership.know(kept->owners(), sites);
+  }
+  if (Status status = m_lists.buildInPlace(sites, control.step(0, 4), kept ? &around : nullptr);
       !status.ok())
   {
     return status;
@@ -114,19 +150,9 @@ Status RestrictedVoronoi::locate(const Sites& sites, bool once, const RunControl
 }
 
 template <int D>
-Status RestrictedVoronoi::evaluate(
-  const Sites& sites, const RunControl& control, CellSums& sums, Diagram* diagram)
+Status RestrictedVoronoi::cut(const Sites& sites, const KeptPieces* kept, const RunControl& control,
+  CellSums& sums, Diagram* diagram)
 {
-  ++m_evaluations;
-  if (diagram)
-  {
-    sums = CellSums{};
-    beginDiagram(*diagram);
-  }
-  if (Status status = this->locate(sites, diagram != nullptr, control); !status.ok())
-  {
-    return status;
-  }
   PhaseTimer timer(m_times.clipping);
   const Blocks blocks = cutFacets(m_surface);
   const Offset window =
@@ -152,7 +178,7 @@ Status RestrictedVoronoi::evaluate(
         const auto scratch = pool.borrow();
         scratch->accumulator.begin(m_blockSums[k]);
         cutBlock<D>(blocks.begin(block), blocks.end(block), m_surface, this->owners(),
-          m_ownership.squared(), *scratch, diagram ? &pieces[k] : nullptr);
+          m_ownership.squared(), kept, *scratch, diagram ? &pieces[k] : nullptr);
         scratch->accumulator.finish();
       });
   };
@@ -192,16 +218,39 @@ Status RestrictedVoronoi::evaluate(
 
 Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& control, CellSums& sums)
 {
+  ++m_evaluations;
+  if (Status status = this->locate(sites, control); !status.ok())
+  {
+    return status;
+  }
   return dispatchDimension(m_surface.dimension,
     [&](auto dimension)
-    { return this->evaluate<decltype(dimension)::value>(sites, control, sums, nullptr); });
+    { return this->cut<decltype(dimension)::value>(sites, nullptr, control, sums, nullptr); });
 }
 
-Status RestrictedVoronoi::decompose(
-  const Sites& sites, const RunControl& control, CellSums& sums, Diagram& diagram)
+Status RestrictedVoronoi::decompose(const Sites& sites, const RunControl& control, CellSums& sums,
+  Diagram& diagram, const EarlierDiagram* earlier)
 {
+  ++m_evaluations;
+  sums = CellSums{};
+  beginDiagram(diagram);
+  std::optional<KeptPieces> pieces;
+  if (earlier)
+  {
+    PhaseTimer timer(m_times.neighbors);
+    pieces.emplace(m_surface, *earlier);
+    if (Status status = pieces->find(sites, control.silent()); !status.ok())
+    {
+      return status;
+    }
+  }
+  const KeptPieces* kept = pieces ? &*pieces : nullptr;
+  if (Status status = this->locateOnce(sites, kept, control); !status.ok())
+  {
+    return status;
+  }
   return dispatchDimension(m_surface.dimension,
     [&](auto dimension)
-    { return this->evaluate<decltype(dimension)::value>(sites, control, sums, &diagram); });
+    { return this->cut<decltype(dimension)::value>(sites, kept, control, sums, &diagram); });
 }
 }

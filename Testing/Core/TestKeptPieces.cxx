@@ -1,0 +1,124 @@
+// Voronoi/KeptPieces: with an earlier diagram at hand, that of other sites is the same to the bit.
+
+#include "TestDiagrams.h"
+#include "TestSiteEdits.h"
+
+#include <cstring>
+
+using namespace remesh;
+
+namespace
+{
+bool sameBytes(const std::vector<PieceIntegral>& a, const std::vector<PieceIntegral>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+}
+
+void checkSame(const test::Computed& a, const test::Computed& b)
+{
+  CHECK(a.owners == b.owners);
+  CHECK(a.diagram.facetBegin == b.diagram.facetBegin);
+  CHECK(a.diagram.sites == b.diagram.sites);
+  CHECK(a.diagram.facets == b.diagram.facets);
+  CHECK(a.diagram.vertexBegin == b.diagram.vertexBegin);
+  CHECK(a.diagram.across == b.diagram.across);
+  CHECK(sameBytes(a.diagram.integrals, b.diagram.integrals));
+  CHECK(a.sums.mass == b.sums.mass && a.sums.area == b.sums.area);
+  CHECK(a.sums.energy == b.sums.energy && a.sums.moment == b.sums.moment);
+}
+
+test::Computed decomposed(
+  const EmbeddedSurface& surface, const Sites& sites, const test::Computed* earlier)
+{
+  test::Computed result;
+  RestrictedVoronoi voronoi(surface);
+  std::optional<EarlierDiagram> known;
+  if (earlier)
+  {
+    known.emplace(EarlierDiagram{ earlier->sites, earlier->diagram, earlier->owners });
+  }
+  CHECK(
+    voronoi.decompose(sites, RunControl(), result.sums, result.diagram, known ? &*known : nullptr)
+      .ok());
+  result.owners = voronoi.owners();
+  result.sites = sites;
+  // What was told of the owners must not outlive the diagram.
+  CellSums sums;
+  const Sites moved = test::shaken(sites, 0.02, 5);
+  CHECK(voronoi.integrate(moved, RunControl(), sums).ok());
+  CellSums alone;
+  CHECK(RestrictedVoronoi(surface).integrate(moved, RunControl(), alone).ok());
+  CHECK_NEAR(test::largestDifference(sums.mass, alone.mass), 0.0, 1e-13 * surface.mass);
+  return result;
+}
+
+/** Chains of changes, each diagram made from the one before. */
+void checkChain(const EmbeddedSurface& surface, Sites sites, std::uint64_t seed)
+{
+  test::Computed last = decomposed(surface, sites, nullptr);
+  for (int round = 0; round < 8; ++round)
+  {
+    for (int k = 0; k < 1 << (round % 4); ++k)
+    {
+      test::edit(sites, surface, seed, 10 * round + k);
+    }
+    const test::Computed next = decomposed(surface, sites, &last);
+    checkSame(next, decomposed(surface, sites, nullptr));
+    last = next;
+  }
+}
+
+void testRandomSites()
+{
+  for (const auto& [name, mesh] : test::smallMeshes())
+  {
+    for (const int d : { 3, 6, 17, 70 })
+    {
+      const EmbeddedSurface surface = test::embedded(mesh, d);
+      checkChain(surface, test::sampled(surface, 90, 2), 1);
+      checkChain(surface, test::sampled(surface, 5, 3), 2);
+    }
+  }
+}
+
+/** Sites at the surface's points: distances that are equal, and decided by the order of the ids. */
+void testTies()
+{
+  for (const auto& [name, mesh] : test::smallMeshes())
+  {
+    checkChain(test::embedded(mesh, 3), test::sitesAt(test::embedded(mesh, 3), mesh.points), 3);
+  }
+  const SurfaceMesh grid = test::meshOf(test::gridPatch(12, 12));
+  checkChain(test::embedded(grid, 3), test::sitesAt(test::embedded(grid, 3), grid.points), 4);
+}
+
+/** One site that moves changes a few facets around it. */
+void testFewChange()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::torus(1.0, 0.4, 96, 48)), 6);
+  const test::Computed earlier = test::computed(surface, test::sampled(surface, 900, 2));
+  Sites sites = earlier.sites;
+  sites.site(450)[0] += 1e-3;
+  KeptPieces kept(surface, { earlier.sites, earlier.diagram, earlier.owners });
+  CHECK(kept.find(sites, RunControl()).ok());
+  Index changed = 0;
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    changed += !kept.keeps(facet);
+  }
+  CHECK(changed > 0);
+  CHECK(100 * changed < 2 * surface.numberOfFacets());
+  const std::vector<Index> around = kept.sitesAround(sites);
+  CHECK(std::binary_search(around.begin(), around.end(), 450));
+  CHECK(around.size() < 40);
+}
+}
+
+int TestKeptPieces(int, char*[])
+{
+  testRandomSites();
+  testTies();
+  testFewChange();
+  return test::result();
+}
