@@ -105,8 +105,9 @@ Status diagramAndDual(const Task& task, const RunControl& control, Carried& carr
       before = std::move(result.diagram);
       earlier.emplace(EarlierDiagram{ *carried.sites, before, carried.owners });
     }
-    // Begun afresh, the diagram depends on the sites alone, and not on the way they came; ended
-    // here, its lists and sums make room for the dual.
+    // The last dual makes room for the diagram, and the diagram's lists and sums for its dual.
+    result.components = Components{};
+    result.dual = Dual{};
     RestrictedVoronoi voronoi(task.surface);
     if (Status status = voronoi.decompose(result.sites, control.step(0, 2), result.sums,
           result.diagram, earlier ? &*earlier : nullptr);

@@ -75,16 +75,18 @@ void testLocality()
   SurfaceMesh split = cube; // each triangle on its own
   split.cornerPoints.clear();
   std::vector<Point3> own;
+  std::vector<Triple> corners = cube.facetPoints;
   for (std::size_t f = 0; f < split.facetPoints.size(); ++f)
   {
     const auto& [a, b, c] = split.facetPoints[f];
     for (int k = 0; k < 3; ++k)
     {
-      split.facetCorners[f][k] = static_cast<Index>(split.cornerPoints.size());
+      corners[f][k] = static_cast<Index>(split.cornerPoints.size());
       split.cornerPoints.push_back(split.facetPoints[f][k]);
       own.push_back(facetNormal(split.points[a], split.points[b], split.points[c]));
     }
   }
+  split.facetCorners = corners;
   std::vector<Point3> flowed = own;
   smoothNormalsOver(split, 0.7, RunControl(), flowed);
   for (std::size_t i = 0; i < own.size(); ++i)

@@ -127,6 +127,7 @@ void testCornerSpace()
   SurfaceMesh cube = test::meshOf(test::cube());
   cube.cornerPoints.clear();
   std::map<std::pair<Index, Index>, Index> cornerOf; // (point, face) to corner
+  std::vector<Triple> corners = cube.facetPoints;
   for (Index f = 0; f < cube.numberOfFacets(); ++f)
   {
     const auto face = static_cast<Index>(cube.facetInputCells[f] / 2);
@@ -138,9 +139,10 @@ void testCornerSpace()
       {
         cube.cornerPoints.push_back(point);
       }
-      cube.facetCorners[f][k] = entry->second;
+      corners[f][k] = entry->second;
     }
   }
+  cube.facetCorners = corners;
   CHECK_EQUAL(cube.numberOfCorners(), 24);
   const std::vector<Point3> normals = estimateCornerNormals(cube, 5);
   for (Index f = 0; f < cube.numberOfFacets(); ++f)
@@ -161,7 +163,7 @@ void testNoDirection()
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0.5, 0 } }, { { 0, 1, 2 }, { 1, 0, 3 } }));
   SurfaceMesh closed = fold; // a pillow without filling: four facets that cancel in pairs
   closed.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  closed.facetPoints = { { 0, 1, 2 }, { 0, 2, 1 } };
+  closed.facetPoints = std::vector<Triple>{ { 0, 1, 2 }, { 0, 2, 1 } };
   closed.facetCorners = closed.facetPoints;
   closed.cornerPoints = { 0, 1, 2 };
   for (const int passes : { 0, 3 })

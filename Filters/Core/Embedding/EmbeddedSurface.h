@@ -16,6 +16,7 @@
 #include "Embedding/PatchLattice.h"
 #include "Mesh/SurfaceMesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace remesh
@@ -25,10 +26,16 @@ struct FacetConstants
 {
   double mass = 0.0;                   ///< density times area in R^d
   double area = 0.0;                   ///< area in R^3, in the unit of the points
-  double radius = 0.0;                 ///< largest distance from the centre to a corner, in R^d
   double edge2[3] = { 0.0, 0.0, 0.0 }; ///< squared length in R^d of edge k, corners k, k + 1
   double density = 1.0;                ///< weight of the energy, see weightByDensity
 
+  /** Largest distance from the centre to a corner, in R^d, up to rounding. */
+  double radius() const
+  {
+    // Medians: (2 a^2 + 2 b^2 - c^2) / 9 at a corner between edges of lengths a and b.
+    const auto& [a, b, c] = this->edge2;
+    return std::sqrt(2.0 * (a + b + c) - 3.0 * std::min({ a, b, c })) / 3.0;
+  }
   /** Area in R^d. */
   double embeddedArea() const { return this->mass / this->density; }
   /** What the sites of a centroidal Voronoi tessellation are spread evenly over. */
@@ -49,7 +56,7 @@ struct EmbeddedSurface
   PatchLattice patches;                  ///< where they are put, see separatePatches
   std::vector<double> corners;           ///< C x d, centred and scaled; none where `source` lends
   CornerCoordinates source;              ///< empty where `corners` holds the coordinates
-  std::vector<Triple> facetCorners;      ///< F x 3
+  SharedArray<Triple> facetCorners;      ///< F x 3, the mesh's
   std::vector<FacetConstants> constants; ///< F
   std::vector<double> center;            ///< d, in the caller's units
   double unit = 1.0;                     ///< the caller's units per scaled unit, a power of two

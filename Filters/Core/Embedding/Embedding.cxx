@@ -13,7 +13,7 @@ namespace remesh
 {
 namespace
 {
-/** Radius about the centroid, squared edges and areas of one facet. */
+/** Squared edges and areas of one facet. */
 FacetConstants measureFacet(
   const SurfaceMesh& mesh, int d, Index facet, const std::array<const double*, 3>& p)
 {
@@ -23,14 +23,6 @@ FacetConstants measureFacet(
   {
     constants.edge2[k] = squaredDistance<Eigen::Dynamic>(p[k], p[(k + 1) % 3], d);
   }
-  // Medians: |p_k - c|^2 = (2 a^2 + 2 b^2 - c^2) / 9 with a, b the edges at the corner.
-  double radius2 = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double* e = constants.edge2;
-    radius2 = std::max(radius2, (2.0 * (e[k] + e[(k + 2) % 3]) - e[(k + 1) % 3]) / 9.0);
-  }
-  constants.radius = std::sqrt(radius2);
   const Triple& points = mesh.facetPoints[facet];
   const Point3 u = mesh.points[points[1]] - mesh.points[points[0]];
   const Point3 v = mesh.points[points[2]] - mesh.points[points[0]];

@@ -208,6 +208,7 @@ std::vector<Index> numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
 {
   std::vector<Index> cornerOfFan(3 * mesh.facetPoints.size(), noIndex);
   std::vector<Index> fansOfPoint(mesh.points.size(), 0);
+  std::vector<Triple> corners = mesh.facetPoints;
   mesh.cornerPoints.clear();
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
@@ -220,8 +221,13 @@ std::vector<Index> numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
         mesh.cornerPoints.push_back(mesh.facetPoints[f][k]);
         ++fansOfPoint[mesh.facetPoints[f][k]];
       }
-      mesh.facetCorners[f][k] = corner;
+      corners[f][k] = corner;
     }
+  }
+  mesh.facetCorners = mesh.facetPoints;
+  if (const std::vector<Triple>& uncut = mesh.facetPoints; corners != uncut)
+  {
+    mesh.facetCorners = std::move(corners);
   }
   return fansOfPoint;
 }

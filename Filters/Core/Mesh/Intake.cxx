@@ -148,9 +148,10 @@ std::vector<Index> orderFacets(const Draft& draft, const RunControl& control)
 }
 
 bool writeFacets(const TriangleSoup& soup, const Draft& draft, const Orientation& orientation,
-  const std::vector<Index>& order, const RunControl& control, SurfaceMesh& mesh)
+  const std::vector<Index>& order, const RunControl& control, std::vector<Triple>& facets,
+  SurfaceMesh& mesh)
 {
-  mesh.facetPoints.resize(order.size());
+  facets.resize(order.size());
   mesh.facetInputCells.resize(order.size());
   mesh.facetInputPoints.resize(order.size());
   return forEachItem(static_cast<Offset>(order.size()), control,
@@ -158,22 +159,23 @@ bool writeFacets(const TriangleSoup& soup, const Draft& draft, const Orientation
     {
       const Index source = order[f];
       const Index triangle = draft.facetTriangles[source];
-      mesh.facetPoints[f] = draft.facets[source];
+      facets[f] = draft.facets[source];
       mesh.facetInputCells[f] = soup.inputCells[triangle];
       mesh.facetInputPoints[f] = soup.triangles[triangle];
       if (orientation.flipped[source])
       {
-        std::swap(mesh.facetPoints[f][1], mesh.facetPoints[f][2]);
+        std::swap(facets[f][1], facets[f][2]);
         std::swap(mesh.facetInputPoints[f][1], mesh.facetInputPoints[f][2]);
       }
     });
 }
 
 /** Replaces the draft's point ids in the mesh's facets, numbering points as facets meet them. */
-bool numberPoints(const Draft& draft, const RunControl& control, SurfaceMesh& mesh)
+bool numberPoints(const Draft& draft, const RunControl& control, std::vector<Triple>& facets,
+  SurfaceMesh& mesh)
 {
-  const Offset uses = 3 * static_cast<Offset>(mesh.facetPoints.size());
-  const auto pointOf = [&](Offset use) -> Index& { return mesh.facetPoints[use / 3][use % 3]; };
+  const Offset uses = 3 * static_cast<Offset>(facets.size());
+  const auto pointOf = [&](Offset use) -> Index& { return facets[use / 3][use % 3]; };
   LowestItems firstUses(draft.points.size());
   std::vector<Index> numbers(draft.points.size(), noIndex);
   const bool done =
@@ -187,7 +189,6 @@ bool numberPoints(const Draft& draft, const RunControl& control, SurfaceMesh& me
         numbers[pointOf(use)] = static_cast<Index>(number);
       }) &&
     forEachItem(uses, control, [&](Offset use) { pointOf(use) = numbers[pointOf(use)]; });
-  mesh.facetCorners = mesh.facetPoints;
   mesh.cornerPoints.resize(mesh.points.size());
   std::iota(mesh.cornerPoints.begin(), mesh.cornerPoints.end(), Index(0));
   return done;
@@ -245,8 +246,13 @@ Status takeIn(const TriangleSoup& soup, const IntakeOptions& options, const RunC
   }
   const RunControl silent = control.silent();
   const std::vector<Index> order = orderFacets(draft, silent);
-  if (control.cancelled() || !writeFacets(soup, draft, orientation, order, silent, mesh) ||
-    !numberPoints(draft, silent, mesh) || !countComponents(mesh, silent, report.components))
+  std::vector<Triple> facets;
+  const bool numbered = !control.cancelled() &&
+    writeFacets(soup, draft, orientation, order, silent, facets, mesh) &&
+    numberPoints(draft, silent, facets, mesh);
+  mesh.facetPoints = std::move(facets);
+  mesh.facetCorners = mesh.facetPoints;
+  if (!numbered || !countComponents(mesh, silent, report.components))
   {
     mesh = SurfaceMesh();
     return Status::cancelled();

@@ -9,6 +9,7 @@
 #ifndef remesh_SurfaceMesh_h
 #define remesh_SurfaceMesh_h
 
+#include "Support/SharedArray.h"
 #include "Support/Types.h"
 
 #include <vector>
@@ -26,8 +27,8 @@ struct TriangleSoup
 struct SurfaceMesh
 {
   std::vector<Point3> points;       ///< V, in R^3, only points that facets use
-  std::vector<Triple> facetPoints;  ///< F x 3, ids into `points`
-  std::vector<Triple> facetCorners; ///< F x 3, ids of embedded corners
+  SharedArray<Triple> facetPoints;  ///< F x 3, ids into `points`
+  SharedArray<Triple> facetCorners; ///< F x 3, ids of embedded corners; the same array as a rule
   std::vector<Index> cornerPoints;  ///< C, the point of each corner
 
   std::vector<Offset> facetInputCells;                 ///< F, the caller's cell ids

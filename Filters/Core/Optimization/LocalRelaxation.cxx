@@ -69,6 +69,7 @@ EmbeddedSurface extractFacets(const EmbeddedSurface& surface, const std::vector<
   part.densityUnit = surface.densityUnit;
   std::vector<Index> ids(static_cast<std::size_t>(surface.numberOfCorners()), noIndex);
   std::vector<Index> corners;
+  std::vector<Triple> facetCorners;
   for (const Index facet : facets)
   {
     Triple ends = surface.facetCorners[facet];
@@ -81,11 +82,12 @@ EmbeddedSurface extractFacets(const EmbeddedSurface& surface, const std::vector<
       }
       corner = ids[corner];
     }
-    part.facetCorners.push_back(ends);
+    facetCorners.push_back(ends);
     part.constants.push_back(surface.constants[facet]);
     part.mass += part.constants.back().mass;
     part.siteMeasure += part.constants.back().siteMeasure();
   }
+  part.facetCorners = std::move(facetCorners);
   if (surface.source.isLent())
   {
     part.source = surface.source.of(corners);

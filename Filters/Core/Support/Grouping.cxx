@@ -18,34 +18,24 @@ std::vector<Offset> scanAcrossBlocks(std::vector<Offset>& counts, std::size_t ke
   return begins;
 }
 
-bool groupWithinCoarse(const std::vector<KeyedIndex>& keyed,
-  const std::vector<Offset>& coarseBegins, int lowBits, Index numberOfKeys,
-  const RunControl& control, Groups& groups)
+void groupRange(
+  Offset begin, const std::vector<Index>& keys, Offset firstKey, Offset endKey, Groups& groups)
 {
-  groups.begins.resize(static_cast<std::size_t>(numberOfKeys) + 1);
-  groups.items.resize(keyed.size());
-  groups.begins.back() = static_cast<Offset>(keyed.size());
-  return forEachBlock(static_cast<Offset>(coarseBegins.size()) - 1, control,
-    [&](Offset coarse)
-    {
-      const Offset firstKey = coarse << lowBits;
-      const Offset endKey = std::min<Offset>(numberOfKeys, (coarse + 1) << lowBits);
-      std::vector<Offset> next(static_cast<std::size_t>(endKey - firstKey), 0);
-      const Offset begin = coarseBegins[coarse];
-      const Offset end = coarseBegins[coarse + 1];
-      for (Offset k = begin; k < end; ++k)
-      {
-        ++next[keyed[k].key - firstKey];
-      }
-      scanCounts(next);
-      for (Offset key = firstKey; key < endKey; ++key)
-      {
-        groups.begins[key] = next[key - firstKey] += begin;
-      }
-      for (Offset k = begin; k < end; ++k)
-      {
-        groups.items[next[keyed[k].key - firstKey]++] = keyed[k].item;
-      }
-    });
+  std::vector<Offset> next(static_cast<std::size_t>(endKey - firstKey), 0);
+  for (const Index key : keys)
+  {
+    ++next[key - firstKey];
+  }
+  scanCounts(next);
+  for (Offset key = firstKey; key < endKey; ++key)
+  {
+    groups.begins[key] = next[key - firstKey] += begin;
+  }
+  const auto first = groups.items.begin() + begin;
+  const std::vector<Index> items(first, first + static_cast<Offset>(keys.size()));
+  for (std::size_t k = 0; k < keys.size(); ++k)
+  {
+    groups.items[next[keys[k] - firstKey]++] = items[k];
+  }
 }
 }

@@ -155,34 +155,26 @@ struct Groups
   std::vector<Index> items;
 };
 
-/** A key and one of its items. */
-struct KeyedIndex
-{
-  Index key;
-  Index item;
-};
-
 /**
- * Steps 2 and 3 of `groupByKey`: from items in the order of their keys' high bits to groups.
+ * Step 3 of `groupByKey` for the items from `begin` on, which have the keys from `firstKey` on.
  *
- * @param coarseBegins for each value of the high bits the beginning of its items, and their end.
+ * @param keys of these items, one by one; they are put in the order of their keys.
  */
-[[nodiscard]] bool groupWithinCoarse(const std::vector<KeyedIndex>& keyed,
-  const std::vector<Offset>& coarseBegins, int lowBits, Index numberOfKeys,
-  const RunControl& control, Groups& groups);
+void groupRange(
+  Offset begin, const std::vector<Index>& keys, Offset firstKey, Offset endKey, Groups& groups);
 
 /**
  * Groups the items [0, count) by `keyOf(item)`.
  *
  * 1. Move the items, in blocks, to the order of the high bits of their keys.
- * 2. For each value of the high bits, count and scan its keys.
- * 3. Fill in its items.
+ * 2. For each value of the high bits, look up the keys of its items again.
+ * 3. Count and scan them, and fill in the items.
  *
  * @param count <= maximumIndex.
  * @param keyOf gives a key of [0, numberOfKeys), or noIndex for an item to leave out. It is asked
- *        twice for each item, and by several threads.
+ *        three times for each item, and by several threads.
  * @return false when cancelled.
- * Cost: O(count + numberOfKeys), in parallel; 8 bytes per item beside the result.
+ * Cost: O(count + numberOfKeys), in parallel; little memory beside the result.
  */
 template <class KeyOf>
 [[nodiscard]] bool groupByKey(
@@ -214,16 +206,25 @@ template <class KeyOf>
     return false;
   }
   const std::vector<Offset> coarseBegins = scanAcrossBlocks(places, coarse);
-  std::vector<KeyedIndex> keyed(static_cast<std::size_t>(coarseBegins.back()));
+  groups.items.resize(static_cast<std::size_t>(coarseBegins.back()));
+  groups.begins.resize(static_cast<std::size_t>(numberOfKeys) + 1);
+  groups.begins.back() = coarseBegins.back();
   return forEachBlock(blocks.count(), control.silent(),
            [&](Offset block)
            {
              forEachKey(block,
-               [&](Offset& place, Index key, Index item) {
-                 keyed[place++] = { key, item };
-               });
+               [&](Offset& place, Index, Index item) { groups.items[place++] = item; });
            }) &&
-    groupWithinCoarse(keyed, coarseBegins, lowBits, numberOfKeys, control, groups);
+    forEachBlock(static_cast<Offset>(coarse), control,
+      [&](Offset high)
+      {
+        const Offset begin = coarseBegins[high];
+        std::vector<Index> keys(static_cast<std::size_t>(coarseBegins[high + 1] - begin));
+        std::transform(groups.items.begin() + begin, groups.items.begin() + coarseBegins[high + 1],
+          keys.begin(), keyOf);
+        groupRange(begin, keys, high << lowBits,
+          std::min<Offset>(numberOfKeys, (high + 1) << lowBits), groups);
+      });
 }
 }
 

@@ -110,7 +110,7 @@ bool FacetDecomposition<D>::gatherCandidates(Index facet)
       nearest = distance;
     }
   }
-  const double bound = (nearest + 2.0 * m_surface.constants[facet].radius) * aboveRounding;
+  const double bound = (nearest + 2.0 * m_surface.constants[facet].radius()) * aboveRounding;
   double farthest = 0.0;
   const bool complete = m_lists.holds(owner, (nearest + bound) * aboveRounding, farthest);
   const NeighborList list = m_lists.list(owner);

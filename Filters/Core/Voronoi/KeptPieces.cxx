@@ -83,7 +83,7 @@ void KeptPieces::findRange(
       }
       // No point of the facet is farther than one radius from the centre.
       const double bound =
-        (std::sqrt(nearest) + 2.0 * m_surface.constants[facet].radius) * aboveRounding;
+        (std::sqrt(nearest) + 2.0 * m_surface.constants[facet].radius()) * aboveRounding;
       const Index other = added->nearest(center.data());
       isNear = !(squaredDistance<D>(addedSites.site(other), center.data(), d) > bound * bound);
     }
