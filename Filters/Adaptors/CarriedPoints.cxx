@@ -16,7 +16,7 @@ namespace
 /** The input points around a vertex, and their weights. */
 struct Corners
 {
-  const std::array<Offset, 3>& points;
+  std::array<Offset, 3> points;
   const double* weights;
   int nearest; ///< of the largest weight
 

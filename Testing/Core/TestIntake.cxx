@@ -136,6 +136,11 @@ void testMerging()
       report.mergedPoints, static_cast<Offset>(3 * soup.triangles.size() - soup.points.size()));
     CHECK_EQUAL(report.components, 1);
     CHECK(mesh.facetPoints == test::meshOf(soup).facetPoints);
+    const TriangleSoup apart = exploded(soup); // where facets have their own points at one place
+    for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+    {
+      CHECK(mesh.facetInputPoints[f] == apart.triangles[mesh.facetInputCells[f]]);
+    }
   }
   // The next double is another point.
   TriangleSoup crack = exploded(test::gridPatch(1, 1));

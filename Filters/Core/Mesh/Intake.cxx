@@ -149,11 +149,11 @@ std::vector<Index> orderFacets(const Draft& draft, const RunControl& control)
 
 bool writeFacets(const TriangleSoup& soup, const Draft& draft, const Orientation& orientation,
   const std::vector<Index>& order, const RunControl& control, std::vector<Triple>& facets,
-  SurfaceMesh& mesh)
+  std::vector<std::array<Offset, 3>>& inputs, SurfaceMesh& mesh)
 {
   facets.resize(order.size());
+  inputs.resize(order.size());
   mesh.facetInputCells.resize(order.size());
-  mesh.facetInputPoints.resize(order.size());
   return forEachItem(static_cast<Offset>(order.size()), control,
     [&](Offset f)
     {
@@ -161,18 +161,18 @@ bool writeFacets(const TriangleSoup& soup, const Draft& draft, const Orientation
       const Index triangle = draft.facetTriangles[source];
       facets[f] = draft.facets[source];
       mesh.facetInputCells[f] = soup.inputCells[triangle];
-      mesh.facetInputPoints[f] = soup.triangles[triangle];
+      inputs[f] = soup.triangles[triangle];
       if (orientation.flipped[source])
       {
         std::swap(facets[f][1], facets[f][2]);
-        std::swap(mesh.facetInputPoints[f][1], mesh.facetInputPoints[f][2]);
+        std::swap(inputs[f][1], inputs[f][2]);
       }
     });
 }
 
 /** Replaces the draft's point ids in the mesh's facets, numbering points as facets meet them. */
-bool numberPoints(const Draft& draft, const RunControl& control, std::vector<Triple>& facets,
-  SurfaceMesh& mesh)
+bool numberPoints(
+  const Draft& draft, const RunControl& control, std::vector<Triple>& facets, SurfaceMesh& mesh)
 {
   const Offset uses = 3 * static_cast<Offset>(facets.size());
   const auto pointOf = [&](Offset use) -> Index& { return facets[use / 3][use % 3]; };
@@ -247,8 +247,9 @@ Status takeIn(const TriangleSoup& soup, const IntakeOptions& options, const RunC
   const RunControl silent = control.silent();
   const std::vector<Index> order = orderFacets(draft, silent);
   std::vector<Triple> facets;
+  std::vector<std::array<Offset, 3>> inputs;
   const bool numbered = !control.cancelled() &&
-    writeFacets(soup, draft, orientation, order, silent, facets, mesh) &&
+    writeFacets(soup, draft, orientation, order, silent, facets, inputs, mesh) &&
     numberPoints(draft, silent, facets, mesh);
   mesh.facetPoints = std::move(facets);
   mesh.facetCorners = mesh.facetPoints;
@@ -257,6 +258,7 @@ Status takeIn(const TriangleSoup& soup, const IntakeOptions& options, const RunC
     mesh = SurfaceMesh();
     return Status::cancelled();
   }
+  mesh.facetInputPoints = { mesh.facetPoints, mesh.numberOfPoints(), std::move(inputs) };
   control.report(1.0);
   return Status::success();
 }

@@ -256,9 +256,9 @@ Point3 meanOfInputs(const CornerInputs& inputs, std::size_t corner,
 
 Status checkInputNormals(const SurfaceMesh& mesh, const std::vector<Point3>& inputNormals)
 {
-  for (const auto& points : mesh.facetInputPoints)
+  for (std::size_t f = 0; f < mesh.facetInputPoints.size(); ++f)
   {
-    for (const Offset point : points)
+    for (const Offset point : mesh.facetInputPoints[f])
     {
       if (point < 0 || point >= static_cast<Offset>(inputNormals.size()))
       {

@@ -9,8 +9,7 @@
 #ifndef remesh_SurfaceMesh_h
 #define remesh_SurfaceMesh_h
 
-#include "Support/SharedArray.h"
-#include "Support/Types.h"
+#include "Mesh/InputPoints.h"
 
 #include <vector>
 
@@ -31,8 +30,8 @@ struct SurfaceMesh
   SharedArray<Triple> facetCorners; ///< F x 3, ids of embedded corners; the same array as a rule
   std::vector<Index> cornerPoints;  ///< C, the point of each corner
 
-  std::vector<Offset> facetInputCells;                 ///< F, the caller's cell ids
-  std::vector<std::array<Offset, 3>> facetInputPoints; ///< F x 3, the caller's point ids
+  std::vector<Offset> facetInputCells; ///< F, the caller's cell ids
+  InputPoints facetInputPoints;        ///< F x 3, the caller's point ids
 
   Index numberOfPoints() const { return static_cast<Index>(this->points.size()); }
   Index numberOfFacets() const { return static_cast<Index>(this->facetPoints.size()); }
