@@ -74,6 +74,7 @@ void checkBlock(const PlacementProblem& problem, const std::vector<Point3>& posi
     normals.push_back(facetNormal(positions[i], positions[j], positions[k]));
   }
   FitSamples samples(problem, samplesPerVertex);
+  const double unit2 = samples.unit() * samples.unit(); // of the weights
   StarFit fit(problem, stars, positions, normals);
   int beside = 0;
   for (Offset block = 0; block < samples.blocks().count(); ++block)
@@ -117,10 +118,10 @@ void checkBlock(const PlacementProblem& problem, const std::vector<Point3>& posi
       for (int k = 0; k < 3; ++k)
       {
         VertexSums& sum = expected[problem.triangles[sums.triangles[slot]][k]];
-        sum.weight -= sums.sums[slot].pairs[k][6];
+        sum.weight -= unit2 * sums.sums[slot].pairs[k][6];
         for (int c = 0; c < 3; ++c)
         {
-          sum.slope[c] -= sums.sums[slot].slopes[k][c];
+          sum.slope[c] -= unit2 * sums.sums[slot].slopes[k][c];
         }
       }
     }

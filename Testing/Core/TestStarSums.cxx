@@ -114,7 +114,7 @@ Sums plainlySummed(const Star& star)
       result.others.push_back(i);
       continue;
     }
-    const double weight = unit * unit * group.weight[i % lanes];
+    const double weight = group.weight[i % lanes];
     const double residual = pointOf(best->normal).dot(way) * pointOf(best->normal).dot(normal);
     double b[3];
     b[(best->corner + 1) % 3] = pointOf(best->first).dot(way);
@@ -203,7 +203,7 @@ void testGiven()
     const double v = pointOf(triangle.second).dot(way);
     const double b[3] = { 1.0 - u - v, u, v };
     Sums given{ { TriangleSums{} }, {} };
-    addSample(normal, unit * unit * one.groups[0].weight[0], b,
+    addSample(normal, one.groups[0].weight[0], b,
       pointOf(triangle.normal).dot(way) * pointOf(triangle.normal).dot(pointOf(normal)),
       given.sums[0]);
     checkEqual(given, found, 1e-14);

@@ -30,22 +30,23 @@ constexpr double leastStiffness = 3e-6;
 constexpr double mostStiffness = 3e-3;
 constexpr double dampingShare = 0.3; // of the stiffness
 
-Eigen::Matrix3d matrixOf(const Symmetric3& a)
+Eigen::Matrix3d matrixOf(const Symmetric3<double>& a)
 {
   Eigen::Matrix3d matrix;
   matrix << a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5];
   return matrix;
 }
 
-Point3 multiply(const Symmetric3& a, const Point3& x)
+template <class Real>
+Point3 multiply(const Symmetric3<Real>& a, const Point3& x)
 {
   return { a[0] * x[0] + a[1] * x[1] + a[2] * x[2], a[1] * x[0] + a[3] * x[1] + a[4] * x[2],
     a[2] * x[0] + a[4] * x[1] + a[5] * x[2] };
 }
 
-Symmetric3 symmetric(const double (&row)[lanes])
+Symmetric3<double> symmetric(const double (&row)[lanes])
 {
-  return Eigen::Map<const Symmetric3>(row);
+  return Eigen::Map<const Symmetric3<double>>(row);
 }
 
 void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const StarBlock& block,
@@ -60,14 +61,15 @@ void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const Sta
       const Index vertex = problem.triangles[t][k];
       system.vertexBlocks[vertex] += symmetric(sums.pairs[k]);
       system.weights[vertex] += sums.pairs[k][6];
-      system.edgeBlocks[edges.facetEdges[t][k]] += symmetric(sums.pairs[3 + k]);
+      system.edgeBlocks[edges.facetEdges[t][k]] += symmetric(sums.pairs[3 + k]).cast<float>();
       system.slopes[vertex] += Eigen::Map<const Point3>(sums.slopes[k]);
       system.triangleNormals[t] += Eigen::Map<const Point3>(sums.slopes[k] + 3);
     }
   }
 }
 
-void addToDiagonal(double value, Symmetric3& block)
+template <class Real>
+void addToDiagonal(Real value, Symmetric3<Real>& block)
 {
   block[0] += value;
   block[3] += value;
@@ -75,7 +77,7 @@ void addToDiagonal(double value, Symmetric3& block)
 }
 
 /** How much the normals of a vertex's samples vary, 0 to 2/3: the eigenvalues but the largest. */
-double variation(const Symmetric3& a)
+double variation(const Symmetric3<double>& a)
 {
   const double trace = a[0] + a[3] + a[5];
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
@@ -116,7 +118,7 @@ bool addStiffness(const std::vector<Point3>& positions, const std::vector<Point3
         addToDiagonal(spring, system.vertexBlocks[v]);
         if (static_cast<std::size_t>(other) > v) // once per edge
         {
-          addToDiagonal(-spring, system.edgeBlocks[edge]);
+          addToDiagonal(static_cast<float>(-spring), system.edgeBlocks[edge]);
         }
         system.slopes[v] -=
           spring * ((positions[v] - shapes[v]) - (positions[other] - shapes[other]));
@@ -132,7 +134,7 @@ bool addStiffness(const std::vector<Point3>& positions, const std::vector<Point3
 /** The inverses of the blocks on the diagonal, zero at vertices that must not move. */
 bool invertBlocks(const RunControl& control, FitSystem& system)
 {
-  system.inverses.assign(system.vertexBlocks.size(), Symmetric3::Zero());
+  system.inverses.assign(system.vertexBlocks.size(), Symmetric3<double>::Zero());
   return forEachItem(static_cast<Offset>(system.inverses.size()), control.silent(),
     [&](Offset v)
     {
@@ -221,8 +223,9 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
   const RunControl& control, FitSystem& system)
 {
   const auto vertices = static_cast<std::size_t>(problem.numberOfVertices());
-  system.vertexBlocks.assign(vertices, Symmetric3::Zero());
-  system.edgeBlocks.assign(static_cast<std::size_t>(edges.numberOfEdges()), Symmetric3::Zero());
+  system.vertexBlocks.assign(vertices, Symmetric3<double>::Zero());
+  system.edgeBlocks.assign(
+    static_cast<std::size_t>(edges.numberOfEdges()), Symmetric3<float>::Zero());
   system.slopes.assign(vertices, Point3::Zero());
   system.weights.assign(vertices, 0.0);
   system.triangleNormals.assign(problem.triangles.size(), Point3::Zero());
@@ -230,18 +233,18 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
   ScratchPool<StarFit> pool(
     [&]() { return std::make_unique<StarFit>(problem, stars, positions, normals); });
   const Offset count = samples.blocks().count();
+  std::vector<StarBlock> sums(static_cast<std::size_t>(std::min(blocksPerGroup, count)));
   for (Offset first = 0; first < count; first += blocksPerGroup)
   {
     const Offset size = std::min(blocksPerGroup, count - first);
-    std::vector<StarBlock> sums(static_cast<std::size_t>(size));
     if (!forEachBlock(size, control.silent(),
           [&](Offset block) { pool.borrow()->sum(samples, first + block, sums[block]); }))
     {
       return false;
     }
-    for (const StarBlock& block : sums)
+    for (Offset block = 0; block < size; ++block)
     {
-      addBlock(problem, edges, block, system);
+      addBlock(problem, edges, sums[block], system);
     }
   }
   system.frozen.assign(vertices, 0);

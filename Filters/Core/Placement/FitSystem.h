@@ -14,7 +14,8 @@
 namespace remesh
 {
 /** A symmetric 3 x 3 matrix: xx, xy, xz, yy, yz, zz. */
-using Symmetric3 = Eigen::Matrix<double, 6, 1>;
+template <class Real>
+using Symmetric3 = Eigen::Matrix<Real, 6, 1>;
 
 /**
  * min over displacements d of sum_p W_p (n_p . (sum_k w_pk d_k - r_p))^2, over the samples p with
@@ -23,12 +24,13 @@ using Symmetric3 = Eigen::Matrix<double, 6, 1>;
  */
 struct FitSystem
 {
-  std::vector<Symmetric3> vertexBlocks; ///< K
-  std::vector<Symmetric3> edgeBlocks;   ///< E
-  std::vector<Symmetric3> inverses;     ///< K, of the vertices' blocks; zero at frozen ones
-  std::vector<Point3> slopes;           ///< K, the right-hand side; 0 at fixed vertices
-  std::vector<double> weights;          ///< K, sum of W_p w_pv^2
-  std::vector<double> stiffness;        ///< K, of the springs
+  std::vector<Symmetric3<double>> vertexBlocks; ///< K
+  /** E; the solver's time goes into reading them. What floats lose is far below the damping. */
+  std::vector<Symmetric3<float>> edgeBlocks;
+  std::vector<Symmetric3<double>> inverses; ///< K, of the vertices' blocks; zero at frozen ones
+  std::vector<Point3> slopes;               ///< K, the right-hand side; 0 at fixed vertices
+  std::vector<double> weights;              ///< K, sum of W_p w_pv^2
+  std::vector<double> stiffness;            ///< K, of the springs
 
   std::vector<Point3> triangleNormals; ///< T, sum of W n over the samples of each triangle
 

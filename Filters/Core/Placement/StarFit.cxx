@@ -29,6 +29,8 @@ int cornerOf(Index vertex, const Triple& triangle)
 
 void StarFit::sum(FitSamples& samples, Offset number, StarBlock& block)
 {
+  block.triangles.clear();
+  block.sums.clear();
   const SampleBlock& sampled = samples.of(number, m_scratch);
   const auto first = static_cast<Index>(samples.blocks().begin(number));
   for (std::size_t v = 0; v < sampled.counts.size(); ++v)
@@ -115,8 +117,7 @@ void StarFit::addClosest(const SampleGroup& group, int lane, double unit, StarBl
     const auto& [i, j, k] = m_problem.triangles[block.triangles[at]];
     const Point3 place =
       foot.b[0] * m_positions[i] + foot.b[1] * m_positions[j] + foot.b[2] * m_positions[k];
-    addSample(normal.data(), unit * unit * group.weight[lane], foot.b, normal.dot(point - place),
-      block.sums[at]);
+    addSample(normal.data(), group.weight[lane], foot.b, normal.dot(point - place), block.sums[at]);
   }
 }
 }

@@ -173,7 +173,6 @@ struct Summation
         widen(group.normal[k], normal[k]);
       }
       widen(group.weight, weight);
-      weight *= task.unit * task.unit;
       Feet feet;
       findFeet(task, way, normal, feet);
       const Index size = task.count - begin < lanes ? task.count - begin : lanes;

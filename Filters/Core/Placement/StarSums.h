@@ -22,8 +22,8 @@ struct StarTriangle
 };
 
 /**
- * Sums over samples with weight W, unit normal n, feet (b0, b1, b2) in the triangle and residuals r
- * along n. Rows of eight, as that is how they are added.
+ * Sums over samples with weight W (as the samples have it), unit normal n, feet (b0, b1, b2) in the
+ * triangle and residuals r along n. Rows of eight, as that is how they are added.
  */
 struct TriangleSums
 {

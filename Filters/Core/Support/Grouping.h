@@ -210,10 +210,9 @@ template <class KeyOf>
   groups.begins.resize(static_cast<std::size_t>(numberOfKeys) + 1);
   groups.begins.back() = coarseBegins.back();
   return forEachBlock(blocks.count(), control.silent(),
-           [&](Offset block)
-           {
-             forEachKey(block,
-               [&](Offset& place, Index, Index item) { groups.items[place++] = item; });
+           [&](Offset block) {
+             forEachKey(
+               block, [&](Offset& place, Index, Index item) { groups.items[place++] = item; });
            }) &&
     forEachBlock(static_cast<Offset>(coarse), control,
       [&](Offset high)
