@@ -49,6 +49,27 @@ void testDecay()
   }
 }
 
+/** A part that is far smaller than the radius keeps its normals. */
+void testSmallPart()
+{
+  TriangleSoup soup = test::icosphere(4);
+  TriangleSoup small = test::icosphere(3);
+  for (std::size_t k = 0; k < small.points.size(); ++k)
+  {
+    small.points[k] *= 1e-3;
+    small.points[k][0] *= 1.2; // so that there is no symmetry to lean on
+  }
+  test::append(soup, small, Point3(3.0, 0.0, 0.0));
+  const SurfaceMesh mesh = test::meshOf(soup);
+  std::vector<Point3> normals = estimateCornerNormals(mesh, 0);
+  const std::vector<Point3> before = normals;
+  smoothNormalsOver(mesh, 0.3, RunControl(), normals);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    CHECK(normals[i].dot(before[i]) > 0.98);
+  }
+}
+
 /** The sphere's normals are a mode that all steps keep: only the length changes. */
 void testSphere()
 {
@@ -169,6 +190,7 @@ void testOddInput()
 int TestNormalFlow(int, char*[])
 {
   testDecay();
+  testSmallPart();
   testSphere();
   testLocality();
   testControlAndScale();
