@@ -95,6 +95,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   Effort effort = Effort::OwnStars;
   Repaired before; // the steps that are not undone one by one
   std::vector<Index> flipped;
+  int passes = steps == FlipSteps::Move ? movingPasses : mostPasses;
   for (int pass = 0;; ++pass)
   {
     if (Status status = search.find(triangles, positions, control, flipped); !status.ok())
@@ -104,7 +105,9 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
     repair.flippedTriangles = static_cast<Offset>(flipped.size());
     const Offset done = repair.movedVertices + repair.flippedEdges;
     const bool stuck = pass > turningPass + 1 && done == doneBefore;
-    const int passes = steps == FlipSteps::Move ? movingPasses : mostPasses;
+    const bool tooMany =
+      repair.flippedTriangles > mostFlipped(static_cast<Offset>(triangles.size()));
+    passes = tooMany && pass >= movingPasses ? pass : passes;
     effort = stuck ? static_cast<Effort>(static_cast<int>(effort) + 1) : effort;
     if (stuck && effort == Effort::KeptAnyway)
     {

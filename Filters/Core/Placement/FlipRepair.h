@@ -10,6 +10,8 @@
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 
+#include <algorithm>
+
 namespace remesh
 {
 struct FlipRepair
@@ -18,6 +20,15 @@ struct FlipRepair
   Offset movedVertices = 0;
   Offset flippedEdges = 0; ///< each changes two triangles of the dual
 };
+
+/**
+ * With more flipped triangles than this, of so many, the surface has no sides to tell, or far too
+ * few points: steps that take long are left out, as they would help nothing.
+ */
+inline Offset mostFlipped(Offset triangles)
+{
+  return std::max<Offset>(100, triangles / 20);
+}
 
 enum class FlipSteps
 {
@@ -38,7 +49,7 @@ enum class FlipSteps
  *    if the triangle stays flipped, until all else has been tried.
  * 6. Turns edges back where that flips nothing.
  *
- * Without turned edges, it ends after step 3.
+ * Without turned edges, it ends after step 3; so it does where more than `mostFlipped` are left.
  *
  * Steps 2 to 5 go from triangle to triangle in order: flipped ones are few. They end when nothing
  * is flipped, or nothing helps.

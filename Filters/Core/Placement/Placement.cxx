@@ -8,6 +8,8 @@
 #include "Support/Parallel.h"
 #include "Support/SortUnique.h"
 
+#include <utility>
+
 namespace remesh
 {
 namespace
@@ -101,8 +103,47 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
 }
 
 /**
+ * Where triangles are left flipped, with the vertices around them at the centroids again, and the
+ * dual's edges: what mends them there differs from what does at the fitted places.
+ *
+ * @param fitted K, before edges were turned.
+ * @param flipped by them.
+ */
+Status mendFromCentroids(const PlacementProblem& problem, const NearbySurface& surface,
+  const std::vector<Point3>& onSurface, const std::vector<Point3>& start,
+  const std::vector<Point3>& fitted, const std::vector<Index>& flipped, const RunControl& control,
+  std::vector<Triple>& triangles, Placement& placement)
+{
+  for (const int rings : { 1, 2, 4 })
+  {
+    std::vector<Point3> positions = fitted;
+    retreatAround(problem, start, flipped, rings, positions);
+    std::vector<Triple> turned = problem.triangles;
+    FlipSearch search(surface);
+    FlipRepair repair;
+    if (Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn,
+          control, search, turned, positions, repair);
+        !status.ok())
+    {
+      return status;
+    }
+    if (repair.flippedTriangles < placement.repair.flippedTriangles)
+    {
+      triangles = std::move(turned);
+      placement.positions = std::move(positions);
+      placement.repair = repair;
+    }
+    if (repair.flippedTriangles == 0)
+    {
+      break;
+    }
+  }
+  return Status::success();
+}
+
+/**
  * Turns flipped triangles back: by moving vertices, then with the places that vertices come to from
- * the centroids, and at last by turned edges.
+ * the centroids, by turned edges, and at last by all of that from the centroids.
  */
 Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start,
@@ -120,7 +161,8 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
   status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, search,
     triangles, placement.positions, repair);
-  if (!status.ok() || repair.flippedTriangles == 0)
+  const Offset most = mostFlipped(static_cast<Offset>(triangles.size()));
+  if (!status.ok() || repair.flippedTriangles == 0 || repair.flippedTriangles > most)
   {
     return status;
   }
@@ -140,10 +182,20 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   }
   if (status.ok())
   {
+    status = search.find(triangles, placement.positions, control, flipped);
+  }
+  const std::vector<Point3> fitted = placement.positions;
+  if (status.ok())
+  {
     status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn, control,
       search, triangles, placement.positions, repair);
-    repair.movedVertices += moved;
   }
+  if (status.ok() && repair.flippedTriangles > 0)
+  {
+    status = mendFromCentroids(
+      problem, surface, onSurface, start, fitted, flipped, control, triangles, placement);
+  }
+  repair.movedVertices += moved;
   return status;
 }
 }

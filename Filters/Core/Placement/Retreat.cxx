@@ -23,6 +23,17 @@ std::vector<Index> trianglesAround(const std::vector<Index>& vertices, const Ver
   sortUnique(triangles);
   return triangles;
 }
+
+std::vector<Index> verticesOf(const std::vector<Index>& some, const std::vector<Triple>& triangles)
+{
+  std::vector<Index> vertices;
+  for (const Index t : some)
+  {
+    vertices.insert(vertices.end(), triangles[t].begin(), triangles[t].end());
+  }
+  sortUnique(vertices);
+  return vertices;
+}
 }
 
 Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
@@ -59,13 +70,24 @@ Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
       {
         positions[region[k]] = former[k];
       }
-      for (const Index t : touched)
-      {
-        region.insert(region.end(), problem.triangles[t].begin(), problem.triangles[t].end());
-      }
-      sortUnique(region);
+      region = verticesOf(touched, problem.triangles);
     }
   }
   return moved;
+}
+
+void retreatAround(const PlacementProblem& problem, const std::vector<Point3>& others,
+  const std::vector<Index>& flipped, int rings, std::vector<Point3>& positions)
+{
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  std::vector<Index> region = verticesOf(flipped, problem.triangles);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    region = verticesOf(trianglesAround(region, stars), problem.triangles);
+  }
+  for (const Index vertex : region)
+  {
+    positions[vertex] = others[vertex];
+  }
 }
 }

@@ -26,6 +26,13 @@ namespace remesh
 Offset retreat(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Point3>& others, const std::vector<Index>& flipped, const RunControl& control,
   std::vector<Point3>& positions);
+
+/**
+ * Gives the vertices of the flipped triangles, and of so many rings around, their other places,
+ * whatever that flips. O(K + T).
+ */
+void retreatAround(const PlacementProblem& problem, const std::vector<Point3>& others,
+  const std::vector<Index>& flipped, int rings, std::vector<Point3>& positions);
 }
 
 #endif
