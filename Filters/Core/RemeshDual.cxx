@@ -100,7 +100,7 @@ Status diagramAndDual(const Task& task, const RunControl& control, Carried& carr
   {
     Diagram before;
     std::optional<EarlierDiagram> earlier;
-    if (carried.sites)
+    if (carried.sites && task.surface.dimension < manyDimensions)
     {
       before = std::move(result.diagram);
       earlier.emplace(EarlierDiagram{ *carried.sites, before, carried.owners });
@@ -123,11 +123,12 @@ Status diagramAndDual(const Task& task, const RunControl& control, Carried& carr
   {
     return status;
   }
-  if (mayRepair(task, result))
+  const Status status = dualize(task, carried.edges, carried.owners, control.step(1, 2), result);
+  if (status.ok() && mayRepair(task, result))
   {
-    carried.sites = shareSites(result, repair);
+    carried.sites = shareSites(result, repair); // now that the dual's memory is free
   }
-  return dualize(task, carried.edges, carried.owners, control.step(1, 2), result);
+  return status;
 }
 
 /** A few Lloyd steps for the sites around these places. */
@@ -181,7 +182,7 @@ Status mendAll(
         return status;
       }
     }
-    else if (leavesUnsettled(repair) && !repair.settled)
+    else if (!repair.othersStay && leavesUnsettled(repair) && !repair.settled)
     {
       repair.settled = earlier;
     }

@@ -25,7 +25,8 @@ namespace remesh
  *
  * @param othersStay from the first change on, nothing changes but what must.
  * @param result its sites are given, and change.
- * Cost: of each round, a diagram and its dual, and Lloyd's steps on a part of the surface.
+ * Cost: of the first round, a diagram and its dual; of others, the diagram where sites have
+ * changed, its dual, and Lloyd's steps on a part of the surface.
  */
 Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result);
 }

@@ -1,6 +1,7 @@
 // A run that is ended again after sites were added: repairs leave all others where they are. One
 // that ends early.
 #include "Support/Random.h"
+#include "TestDiagrams.h"
 #include "TestPlacements.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ void testOthersStay()
   result.movedSites = 0;
   CHECK(completeMesh(mesh, surface, options, RunControl(), result).ok());
   CHECK(result.movedSites > 0); // six were taken away
+  test::checkMadeOf(surface, result.sites, result.diagram, result.sums);
   Index stayed = 0;
   for (Index i = 0; i < before.count(); ++i)
   {

@@ -45,6 +45,20 @@ inline Computed computed(const EmbeddedSurface& surface, const Sites& sites)
   return result;
 }
 
+/** A diagram that was made in steps is what these sites have alone, to the bit. */
+inline void checkMadeOf(
+  const EmbeddedSurface& surface, const Sites& sites, const Diagram& diagram, const CellSums& sums)
+{
+  Diagram alone;
+  CellSums sumsAlone;
+  CHECK(RestrictedVoronoi(surface).decompose(sites, RunControl(), sumsAlone, alone).ok());
+  CHECK(diagram.facetBegin == alone.facetBegin);
+  CHECK(diagram.sites == alone.sites);
+  CHECK(diagram.across == alone.across);
+  CHECK(sums.mass == sumsAlone.mass && sums.energy == sumsAlone.energy);
+  CHECK(sums.moment == sumsAlone.moment);
+}
+
 /** How much a point's site may be farther than the nearest one, squared: rounding of H. */
 inline double roundingOfH(const EmbeddedSurface& surface, const Sites& sites)
 {

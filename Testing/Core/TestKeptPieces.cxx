@@ -1,5 +1,6 @@
 // Voronoi/KeptPieces: with an earlier diagram at hand, that of other sites is the same to the bit.
 
+#include "Features/FeatureGraph.h"
 #include "TestDiagrams.h"
 #include "TestSiteEdits.h"
 
@@ -53,10 +54,26 @@ test::Computed decomposed(
   return result;
 }
 
+/** How many facets keep their pieces. */
+Index countKept(const EmbeddedSurface& surface, const test::Computed& earlier, const Sites& sites)
+{
+  KeptPieces kept(surface, { earlier.sites, earlier.diagram, earlier.owners });
+  CHECK(kept.find(sites, RunControl()).ok());
+  Index count = 0;
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    count += kept.keeps(facet);
+  }
+  return count;
+}
+
 /** Chains of changes, each diagram made from the one before. */
 void checkChain(const EmbeddedSurface& surface, Sites sites, std::uint64_t seed)
 {
   test::Computed last = decomposed(surface, sites, nullptr);
+  checkSame(last, decomposed(surface, sites, &last)); // nothing has changed
+  CHECK_EQUAL(countKept(surface, last, sites),
+    surface.dimension < manyDimensions ? surface.numberOfFacets() : 0);
   for (int round = 0; round < 8; ++round)
   {
     for (int k = 0; k < 1 << (round % 4); ++k)
@@ -78,6 +95,7 @@ void testRandomSites()
       const EmbeddedSurface surface = test::embedded(mesh, d);
       checkChain(surface, test::sampled(surface, 90, 2), 1);
       checkChain(surface, test::sampled(surface, 5, 3), 2);
+      checkChain(surface, test::sampled(surface, 1, 3), 5);
     }
   }
 }
@@ -93,6 +111,47 @@ void testTies()
   checkChain(test::embedded(grid, 3), test::sitesAt(test::embedded(grid, 3), grid.points), 4);
 }
 
+/** Patches that are put apart, and facets of other weights. */
+void testPatches()
+{
+  SurfaceMesh mesh = test::meshOf(test::cube());
+  const Features features = findFeatures(mesh, FeatureOptions());
+  EmbeddedSurface surface = test::embedded(mesh, 6);
+  separatePatches(features.facetPatches, features.numberOfPatches, surface);
+  std::vector<double> densities;
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    densities.push_back(1.0 + uniform01(1, facet, 0));
+  }
+  weightByDensity(densities, surface);
+  checkChain(surface, test::sampled(surface, 90, 2), 6);
+}
+
+/** What a diagram that was cancelled knows of owners is not believed later. */
+void testCancelled()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::torus(1.0, 0.4, 24, 12)), 6);
+  const test::Computed earlier = test::computed(surface, test::sampled(surface, 100, 2));
+  const Sites moved = test::shaken(earlier.sites, 0.1, 5);
+  CellSums expected;
+  CHECK(RestrictedVoronoi(surface).integrate(moved, RunControl(), expected).ok());
+  for (int asked = 0; asked < 40; ++asked)
+  {
+    int calls = 0;
+    const RunControl control({}, [&]() { return calls++ >= asked; });
+    RestrictedVoronoi voronoi(surface);
+    CellSums sums;
+    Diagram diagram;
+    const EarlierDiagram known{ earlier.sites, earlier.diagram, earlier.owners };
+    if (voronoi.decompose(earlier.sites, control, sums, diagram, &known).ok())
+    {
+      break;
+    }
+    CHECK(voronoi.integrate(moved, RunControl(), sums).ok());
+    CHECK_NEAR(test::largestDifference(sums.mass, expected.mass), 0.0, 1e-13 * surface.mass);
+  }
+}
+
 /** One site that moves changes a few facets around it. */
 void testFewChange()
 {
@@ -100,13 +159,9 @@ void testFewChange()
   const test::Computed earlier = test::computed(surface, test::sampled(surface, 900, 2));
   Sites sites = earlier.sites;
   sites.site(450)[0] += 1e-3;
+  const Index changed = surface.numberOfFacets() - countKept(surface, earlier, sites);
   KeptPieces kept(surface, { earlier.sites, earlier.diagram, earlier.owners });
   CHECK(kept.find(sites, RunControl()).ok());
-  Index changed = 0;
-  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
-  {
-    changed += !kept.keeps(facet);
-  }
   CHECK(changed > 0);
   CHECK(100 * changed < 2 * surface.numberOfFacets());
   const std::vector<Index> around = kept.sitesAround(sites);
@@ -119,6 +174,8 @@ int TestKeptPieces(int, char*[])
 {
   testRandomSites();
   testTies();
+  testPatches();
+  testCancelled();
   testFewChange();
   return test::result();
 }

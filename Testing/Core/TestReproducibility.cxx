@@ -2,6 +2,7 @@
 
 #include "Features/FeatureGraph.h"
 #include "Remesh.h"
+#include "TestDiagrams.h"
 #include "TestEmbeddings.h"
 #include "Voronoi/DiagramPoints.h"
 
@@ -196,8 +197,7 @@ void testIntake()
     const EdgeTable edges = buildEdgeTable(mesh.facetPoints, control);
     Bytes bytes;
     bytes.addAll(mesh.points, mesh.facetPoints, mesh.facetCorners, mesh.cornerPoints,
-      mesh.facetInputCells, edges.facetEdges, edges.edgeFacetsBegin,
-      edges.edgeFacets);
+      mesh.facetInputCells, edges.facetEdges, edges.edgeFacetsBegin, edges.edgeFacets);
     for (std::size_t f = 0; f < mesh.facetInputPoints.size(); ++f)
     {
       bytes.add(mesh.facetInputPoints[f]);
@@ -243,6 +243,10 @@ void testFeatures()
   options.quasiNewton.iterations = 4;
   options.placement = VertexPlacement::Fit;
   checkCase(mesh, surface, options, &features);
+  RemeshResult result;
+  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result, &features).ok());
+  CHECK(result.movedSites > 0);
+  test::checkMadeOf(surface, result.sites, result.diagram, result.sums);
 }
 }
 

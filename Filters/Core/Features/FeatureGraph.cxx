@@ -224,10 +224,10 @@ std::vector<Index> numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
       corners[f][k] = corner;
     }
   }
-  mesh.facetCorners = mesh.facetPoints;
-  if (const std::vector<Triple>& uncut = mesh.facetPoints; corners != uncut)
+  mesh.facetCorners = std::move(corners);
+  if (mesh.facetCorners == mesh.facetPoints)
   {
-    mesh.facetCorners = std::move(corners);
+    mesh.facetCorners = mesh.facetPoints; // held once
   }
   return fansOfPoint;
 }

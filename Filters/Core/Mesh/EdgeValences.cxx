@@ -10,7 +10,7 @@ namespace remesh
 namespace
 {
 constexpr Offset smallestWindow = Offset(1) << 14; // vertices
-constexpr Offset mostWindows = 32;                 // each looks at all triangles
+constexpr Offset mostWindows = 32;                 // each looks at all triangles twice
 
 /** Calls `visit(lower, upper)` for the edges of the triangles whose lower vertex is in a range. */
 template <class Visit>
@@ -46,7 +46,7 @@ EdgeValences countWindow(const std::vector<Triple>& triangles, Offset begin, Off
     std::sort(uppers.begin() + ends[list], last);
     for (auto upper = uppers.begin() + ends[list]; upper != last;)
     {
-      const auto other = std::find_if(upper, last, [=](Index end) { return end != *upper; });
+      const auto other = std::find_if(upper, last, [=](Index next) { return next != *upper; });
       ++valences.edges;
       if (other - upper != 2)
       {

@@ -18,6 +18,8 @@ class SharedArray
 {
 public:
   SharedArray() = default;
+  SharedArray(const SharedArray&) = default; // a move is a copy: what is left is an array, too
+  SharedArray& operator=(const SharedArray&) = default;
   SharedArray(std::vector<T> values) // NOLINT: as a vector is assigned to a vector
     : m_values(std::make_shared<const std::vector<T>>(std::move(values)))
     , m_begin(m_values->data())

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace remesh
 {
@@ -21,7 +22,7 @@ constexpr double aboveRounding = 1.0 + 1e-9;
 void keepOrder(SiteChanges& changes)
 {
   Index last = noIndex;
-  const std::size_t added = changes.added.size();
+  const std::size_t before = changes.added.size();
   for (Index& later : changes.later)
   {
     if (later == noIndex)
@@ -36,7 +37,7 @@ void keepOrder(SiteChanges& changes)
     }
     last = later;
   }
-  if (changes.added.size() > added)
+  if (changes.added.size() > before)
   {
     std::sort(changes.added.begin(), changes.added.end());
   }

@@ -35,8 +35,9 @@ public:
   }
 
   /**
-   * Cost: O(n + pieces d) and, for each facet, a search among the added sites. Parallel.
-   * No facet is kept in `manyDimensions`, where looking at the facets costs as much as the diagram.
+   * Cost: that of compareSites, O(pieces d) and, for each facet, a search among the added sites.
+   * Parallel. No facet is kept in `manyDimensions`, where looking at the facets costs as much as
+   * the diagram.
    */
   Status find(const Sites& sites, const RunControl& control);
 

@@ -248,6 +248,10 @@ void NeighborLists::buildList(
 
 Status NeighborLists::build(const Sites& sites, const RunControl& control)
 {
+  if (m_built.coordinates.empty())
+  {
+    m_places.clear(); // some lists may have been left out, and tell nothing
+  }
   m_built = sites;
   return this->buildFor(m_built, allOf(sites), control);
 }

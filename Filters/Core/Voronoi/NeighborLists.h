@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 
@@ -37,7 +38,7 @@ struct NeighborList
   Index count;
 };
 
-/** The lists of all sites, shared by all threads and read only. */
+/** The lists of all sites, or of some, shared by all threads and read only. */
 class NeighborLists
 {
 public:

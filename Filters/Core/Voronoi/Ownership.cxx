@@ -153,6 +153,7 @@ Status Ownership::update(const EmbeddedSurface& surface, const Sites& sites,
         keepsLeads ? m_drift.update(sites, lists, control.silent()) : Status::success();
       !status.ok())
   {
+    m_owners.clear(); // what is told of some holds for these sites alone
     return status;
   }
   const bool done = forEachRange(Blocks::cut(surface.numberOfCorners(), 1024, 4096), control,

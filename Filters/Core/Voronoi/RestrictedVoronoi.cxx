@@ -134,18 +134,17 @@ Status RestrictedVoronoi::locateOnce(
   const Sites& sites, const KeptPieces* kept, const RunControl& control)
 {
   PhaseTimer timer(m_times.neighbors);
-  std::vector<Index> around;
-  if (kept)
-  {
-    around = kept->sitesAround(sites);
-    m_ownership.know(kept->owners(), sites);
-  }
+  const std::vector<Index> around = kept ? kept->sitesAround(sites) : std::vector<Index>();
   if (Status status = m_lists.buildInPlace(sites, control.step(0, 4), kept ? &around : nullptr);
       !status.ok())
   {
     return status;
   }
   timer.next(m_times.ownership);
+  if (kept)
+  {
+    m_ownership.know(kept->owners(), sites);
+  }
   return m_ownership.update(m_surface, sites, m_lists, control.step(1, 4));
 }
 

@@ -9,6 +9,8 @@
  *    (FacetDecomposition.h), and each block keeps its own sums;
  * 4. the blocks are added up (CellSums.h), or their pieces are strung together (Diagram.h).
  *
+ * A whole diagram may take pieces from an earlier one and make the rest (KeptPieces.h).
+ *
  * Exact (ties included, see Predicates.h) and reproducible: neither the back-end, the threads nor
  * the order of the blocks changes a bit of the result. Cost about a F + b n.
  */
@@ -31,7 +33,7 @@ namespace remesh
 /** Time spent so far in the parts of the evaluations. */
 struct EvaluationTimes
 {
-  Elapsed neighbors; ///< the lists
+  Elapsed neighbors; ///< the lists, and what an earlier diagram leaves
   Elapsed ownership;
   Elapsed clipping;  ///< and the integrals of each block
   Elapsed reduction; ///< of the blocks to the whole
@@ -77,7 +79,7 @@ public:
 
 private:
   Status locate(const Sites& sites, const RunControl& control);
-  /** The same with lists for these sites alone, where they stand, if all are not kept. */
+  /** The same with lists where the sites stand, and without what `kept` makes needless. */
   Status locateOnce(const Sites& sites, const KeptPieces* kept, const RunControl& control);
   template <int D>
   Status cut(const Sites& sites, const KeptPieces* kept, const RunControl& control, CellSums& sums,
