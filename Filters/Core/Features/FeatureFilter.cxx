@@ -3,7 +3,7 @@
  *
  * What tells a crease from noise, as far as a mesh of some spacing is concerned: it is longer than
  * a few spacings, or closes smoothly, and it neither zigzags from edge to edge nor branches every
- * few edges.
+ * few edges. Where it does both at almost every point, it is noise however far it reaches.
  */
 #include "Features/FeatureEdges.h"
 
@@ -34,6 +34,10 @@ constexpr double largestSmoothTurn = 0.35;
 constexpr double largestStraightTurn = 0.2;
 constexpr double mostPerEdge = 0.15; // branches and ends beyond two
 constexpr double mostPerSpacing = 0.3;
+// Of noise so strong that its edges hang together everywhere: real creases turn by half as much.
+constexpr double noisyTurn = 0.7;
+constexpr double noisyPerEdge = 0.2; // points where not just two features meet
+constexpr Index fewestNoisyTurns = 20;
 
 /** The droppable edges and what meets at the points. */
 struct CreaseGraph
@@ -143,6 +147,11 @@ bool isNoise(const Cluster& cluster, double spacing)
   const bool loop = cluster.irregular == 0;
   const bool fine = cluster.length < fineEdge * spacing * cluster.edges;
   const double meanTurn = cluster.turns > 0 ? cluster.turning / cluster.turns : 0.0;
+  if (cluster.turns >= fewestNoisyTurns && meanTurn > noisyTurn &&
+    cluster.irregular > noisyPerEdge * cluster.edges)
+  {
+    return true;
+  }
   const double branches = std::max(0, cluster.irregular - 2);
   const bool branching =
     branches > mostPerEdge * cluster.edges && branches > mostPerSpacing * cluster.length / spacing;

@@ -1,0 +1,111 @@
+// Features/FeatureFilter: noise makes no creases, however far its edges hang together; what a solid
+// with rough faces has at its own edges stays.
+
+#include "Features/FeatureGraph.h"
+#include "Mesh/NormalFlow.h"
+#include "Support/Random.h"
+#include "TestSupport.h"
+#include "TestSurfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace remesh;
+
+namespace
+{
+/** A unit sphere of 10 242 points that are moved inward or outward at random. */
+SurfaceMesh noisySphere(double amplitude)
+{
+  TriangleSoup soup = test::icosphere(5);
+  for (std::size_t k = 0; k < soup.points.size(); ++k)
+  {
+    soup.points[k] *= 1.0 + amplitude * (2.0 * uniform01(3, k, 0) - 1.0);
+  }
+  return test::meshOf(soup);
+}
+
+Offset countFeatures(SurfaceMesh mesh, Offset sites)
+{
+  FeatureOptions options;
+  options.spacing = meanSpacing(mesh, sites);
+  const Features features = findFeatures(mesh, options);
+  return static_cast<Offset>(features.kinds.size()) -
+    std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::None);
+}
+
+void testNoise()
+{
+  for (const double amplitude : { 0.005, 0.01, 0.015, 0.02, 0.04 })
+  {
+    const SurfaceMesh mesh = noisySphere(amplitude);
+    if (amplitude >= 0.015)
+    {
+      SurfaceMesh all = mesh; // no spacing is given, and nothing is dropped
+      const Features features = findFeatures(all, FeatureOptions());
+      CHECK(std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease) > 5000);
+    }
+    for (const Offset sites : { 500, 2000 })
+    {
+      CHECK_EQUAL(countFeatures(mesh, sites), 0);
+    }
+  }
+}
+
+/** A box of 6 x n x n squares, whose points inside the faces are moved up and down a little. */
+SurfaceMesh roughBox(int n)
+{
+  TriangleSoup soup;
+  const auto place = [&](int face, int i, int j)
+  {
+    const int axis = face / 2;
+    const double u = static_cast<double>(i) / n;
+    const double v = static_cast<double>(j) / n;
+    const bool inside = i > 0 && j > 0 && i < n && j < n;
+    Point3 point;
+    point[axis] = face % 2;
+    point[(axis + 1) % 3] = face % 2 == 1 ? u : v;
+    point[(axis + 2) % 3] = face % 2 == 1 ? v : u;
+    point[axis] += inside ? 0.1 / n * uniform01(1, soup.points.size(), 0) : 0.0;
+    return point;
+  };
+  for (int face = 0; face < 6; ++face)
+  {
+    const auto first = static_cast<Offset>(soup.points.size());
+    for (int i = 0; i <= n; ++i)
+    {
+      for (int j = 0; j <= n; ++j)
+      {
+        soup.points.push_back(place(face, i, j));
+      }
+    }
+    const auto id = [&](int i, int j) { return first + Offset(i) * (n + 1) + j; };
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; j < n; ++j)
+      {
+        soup.triangles.push_back({ id(i, j), id(i + 1, j), id(i + 1, j + 1) });
+        soup.triangles.push_back({ id(i, j), id(i + 1, j + 1), id(i, j + 1) });
+      }
+    }
+  }
+  return test::meshOf(test::makeSoup(soup.points, soup.triangles));
+}
+
+void testBox()
+{
+  const SurfaceMesh mesh = roughBox(20);
+  CHECK_EQUAL(mesh.numberOfPoints(), 6 * 20 * 20 + 2);
+  for (const Offset sites : { 100, 500, 5000 })
+  {
+    CHECK_EQUAL(countFeatures(mesh, sites), 12 * 20);
+  }
+}
+}
+
+int TestFeatureFilter(int, char*[])
+{
+  testNoise();
+  testBox();
+  return test::result();
+}
