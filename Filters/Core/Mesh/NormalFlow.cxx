@@ -15,7 +15,6 @@
 
 #include "Mesh/FacetGeometry.h"
 #include "Support/ConjugateGradients.h"
-#include "Support/DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +27,11 @@ namespace
 {
 constexpr int numberOfSteps = 3;
 constexpr double largestCotangent = 100.0;
-/** Of a part of the surface, in roots of its area: a sphere's normals keep 0.63 of their length. */
-constexpr double largestRadius = 0.28;
-constexpr double leastLength = 1e-12;
+/**
+ * Of a normal after a step: where all directions are within reach, as on a small part that is
+ * closed, what is left of their sum tells the solver's error and no direction.
+ */
+constexpr double leastLength = 0.1;
 /** Of the residual; its rest is long waves, which move a normal by less than a hundredth of what
  * the step moves it. */
 constexpr double wantedReduction = 1e-2;
@@ -149,38 +150,10 @@ bool mergeEntries(const std::vector<Offset>& begins, std::vector<Entry>& entries
     });
 }
 
-/**
- * For each point, the share of the time that its part of the surface is given: normals of a small
- * part would fade until only rounding tells their direction.
- */
-std::vector<double> timeShares(const SurfaceMesh& mesh, double radius)
-{
-  DisjointSets parts(mesh.points.size());
-  for (const auto& [a, b, c] : mesh.facetPoints)
-  {
-    parts.unite(a, b);
-    parts.unite(b, c);
-  }
-  std::vector<double> areas(mesh.points.size(), 0.0);
-  for (const auto& [a, b, c] : mesh.facetPoints)
-  {
-    areas[parts.find(a)] += facetArea(mesh.points[a], mesh.points[b], mesh.points[c]);
-  }
-  std::vector<double> shares(mesh.points.size());
-  for (std::size_t point = 0; point < shares.size(); ++point)
-  {
-    const double largest = largestRadius * std::sqrt(areas[parts.find(static_cast<Index>(point))]);
-    const double ratio = std::min(1.0, largest / radius);
-    shares[point] = ratio * ratio;
-  }
-  return shares;
-}
-
 /** In units of the radius, so that areas and times are of moderate size. False when cancelled. */
 bool buildMatrix(const SurfaceMesh& mesh, double radius, double time, const RunControl& control,
   FlowMatrix& matrix)
 {
-  const std::vector<double> shares = timeShares(mesh, radius);
   const auto count = mesh.cornerPoints.size();
   matrix.masses.assign(count, 0.0);
   matrix.diagonal.assign(count, 0.0);
@@ -210,7 +183,7 @@ bool buildMatrix(const SurfaceMesh& mesh, double radius, double time, const RunC
     {
       const Index i = mesh.facetCorners[f][k];
       const Index j = mesh.facetCorners[f][(k + 1) % 3];
-      const double weight = time * shares[a] * halves[(k + 2) % 3];
+      const double weight = time * halves[(k + 2) % 3];
       matrix.masses[i] += doubleArea / 6.0;
       entries[next[i]++] = { j, weight };
       entries[next[j]++] = { i, weight };

@@ -15,11 +15,11 @@ namespace remesh
  * bends that are smaller fade, those that are larger stay.
  *
  * Normals flow along facets, in corner space: not across creases. What a facet larger than the
- * radius passes on is little, so coarse meshes stay as they are. On a part of the surface that is
- * not connected to others the radius is at most 0.28 times the root of its area.
+ * radius passes on is little, so coarse meshes stay as they are.
  *
  * @param radius root mean square distance, in the unit of the points; 0 or less changes nothing.
- * @param normals C unit vectors, replaced; a corner whose normals cancel out keeps its own.
+ * @param normals C unit vectors, replaced; a corner around which they all but cancel
+ *        keeps its own, as on a small closed part of the surface.
  * @param control reports the steps; when it cancels, normals are as the last whole step left them.
  * Cost: O(F k), k the steps of the solver, about radius over edge length and at most 400.
  * Parallel. Deterministic.
