@@ -1,10 +1,12 @@
 // Flipped triangles: vertices that have changed places, and triangles without a height.
 #include "Placement/FlipRepair.h"
+#include "Placement/Retreat.h"
 #include "Placement/TriangleShape.h"
 #include "Placement/Untangling.h"
 #include "Support/Random.h"
 #include "TestPlacements.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -143,6 +145,59 @@ void testTurnedBack()
   CHECK(turned > 20); // some are needed
 }
 
+/** Where far too much is flipped, no edges are turned: that would take long, and help little. */
+void testTooMany()
+{
+  Fixture fixture;
+  std::vector<Triple> triangles = fixture.result.dual.triangles;
+  std::vector<Point3> positions = fixture.result.placement.positions;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    fixture.fixed[v] = 1;
+    for (int k = 0; k < 3; ++k)
+    {
+      positions[v][k] += uniform01(4, v, k) - 0.5;
+    }
+  }
+  const auto count = static_cast<Offset>(triangles.size());
+  CHECK(static_cast<Offset>(fixture.flipped(positions).size()) > mostFlipped(count));
+  const std::vector<Point3> before = positions;
+  FlipSearch search(fixture.near);
+  FlipRepair repair;
+  CHECK(repairFlips(fixture.problem, fixture.near, before, before, FlipSteps::MoveAndTurn,
+    RunControl(), search, triangles, positions, repair)
+          .ok());
+  CHECK_EQUAL(repair.flippedEdges, 0);
+  CHECK(triangles == fixture.result.dual.triangles);
+}
+
+/** The vertices of a triangle, and one ring of others around, are at their other places. */
+void testRetreatAround()
+{
+  const Fixture fixture;
+  const std::vector<Triple>& dual = fixture.result.dual.triangles;
+  const std::vector<Point3>& others = fixture.result.placement.positions;
+  for (const int rings : { 0, 1 })
+  {
+    std::set<Index> expected(dual[7].begin(), dual[7].end());
+    for (const Triple& triangle : dual)
+    {
+      const bool touches = std::any_of(triangle.begin(), triangle.end(),
+        [&](Index v) { return std::find(dual[7].begin(), dual[7].end(), v) != dual[7].end(); });
+      if (rings == 1 && touches)
+      {
+        expected.insert(triangle.begin(), triangle.end());
+      }
+    }
+    std::vector<Point3> positions(others.size(), Point3::Zero());
+    retreatAround(fixture.problem, others, { 7 }, rings, positions);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+    {
+      CHECK_EQUAL(positions[v] == others[v], expected.count(static_cast<Index>(v)) > 0);
+    }
+  }
+}
+
 /** Fixed vertices stay; without any other, nothing happens. */
 void testFixed()
 {
@@ -188,6 +243,8 @@ int TestUntangling(int, char*[])
   testSwapped(torus());
   testSwapped(tiltedPlane());
   testTurnedBack();
+  testTooMany();
+  testRetreatAround();
   testFixed();
   testFlat();
   return test::result();
