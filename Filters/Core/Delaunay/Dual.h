@@ -15,7 +15,7 @@ struct Dual
   std::vector<Triple> triangles; ///< components, oriented like the facet they come from
   /** Further points of three cells whose triangle was there already; sorted, and each ascending. */
   std::vector<Triple> repeated;
-  EdgeValences edges; ///< of these triangles
+  EdgeValences edges;             ///< of these triangles
   Offset eulerCharacteristic = 0; ///< used vertices - edges + triangles
 };
 

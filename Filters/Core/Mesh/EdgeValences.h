@@ -28,8 +28,8 @@ struct EdgeValences
 
 /**
  * Lists the edges in windows of their lower vertex, each of which looks at all triangles: a mesh of
- * a million points takes some megabytes a thread. O(T) but for the edges of a vertex, which are sorted, and up to 64
- * looks at T; in parallel.
+ * a million points takes some megabytes a thread. O(T) but for the edges of a vertex, which are
+ * sorted, and up to 64 looks at T; in parallel.
  *
  * @return nothing counted when cancelled.
  */

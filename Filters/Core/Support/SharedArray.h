@@ -36,7 +36,6 @@ public:
   const T& operator[](std::size_t k) const { return m_begin[k]; }
   const T* begin() const { return m_begin; }
   const T* end() const { return m_begin + m_size; }
-  const T& back() const { return m_begin[m_size - 1]; }
   std::size_t size() const { return m_size; }
   bool empty() const { return m_size == 0; }
 
@@ -45,7 +44,6 @@ public:
     const std::vector<T>& other = b;
     return a.m_begin == b.m_begin || static_cast<const std::vector<T>&>(a) == other;
   }
-  friend bool operator!=(const SharedArray& a, const SharedArray& b) { return !(a == b); }
 
 private:
   std::shared_ptr<const std::vector<T>> m_values;
