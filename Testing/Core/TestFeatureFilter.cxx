@@ -1,5 +1,5 @@
-// Features/FeatureFilter: noise makes no creases, however far its edges hang together; what a solid
-// with rough faces has at its own edges stays.
+// Features/FeatureFilter: noise makes no creases, however far its edges hang together and whatever
+// border they meet; what a solid with rough faces has at its own edges stays.
 
 #include "Features/FeatureGraph.h"
 #include "Mesh/NormalFlow.h"
@@ -48,6 +48,31 @@ void testNoise()
     for (const Offset sites : { 500, 2000 })
     {
       CHECK_EQUAL(countFeatures(mesh, sites), 0);
+    }
+  }
+}
+
+/** The unit square of n x n cells, whose points are moved up and down at random. */
+SurfaceMesh noisySquare(int n, double amplitude)
+{
+  TriangleSoup soup = test::gridPatch(n, n);
+  for (std::size_t k = 0; k < soup.points.size(); ++k)
+  {
+    soup.points[k].z() += amplitude * (2.0 * uniform01(5, k, 0) - 1.0);
+  }
+  return test::meshOf(soup);
+}
+
+void testNoiseAtBorder()
+{
+  for (const double amplitude : { 0.005, 0.01, 0.02 })
+  {
+    const SurfaceMesh mesh = noisySquare(100, amplitude);
+    for (const Offset sites : { 500, 2000 })
+    {
+      const Offset features = countFeatures(mesh, sites);
+      CHECK(
+        features >= 400 && features <= 420); // all of the border, and a few edges across corners
     }
   }
 }
@@ -106,6 +131,7 @@ void testBox()
 int TestFeatureFilter(int, char*[])
 {
   testNoise();
+  testNoiseAtBorder();
   testBox();
   return test::result();
 }

@@ -3,7 +3,8 @@
  *
  * What tells a crease from noise, as far as a mesh of some spacing is concerned: it is longer than
  * a few spacings, or closes smoothly, and it neither zigzags from edge to edge nor branches every
- * few edges. Where it does both at almost every point, it is noise however far it reaches.
+ * few edges. Where it does both at almost every point, it is noise however far it reaches, and
+ * whatever borders it meets.
  */
 #include "Features/FeatureEdges.h"
 
@@ -114,7 +115,7 @@ CreaseGraph makeGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
   return graph;
 }
 
-/** What is known of one connected set of features. */
+/** What is known of one connected set of droppable edges. */
 struct Cluster
 {
   Eigen::AlignedBox3d box;
@@ -124,7 +125,7 @@ struct Cluster
   double turning = 0.0; ///< sum of the angles between consecutive edges
   double length = 0.0;
   double strength = 0.0; ///< sum of length times the angle between the facets
-  bool fixed = false;    ///< holds an edge that must stay
+  bool attached = false; ///< meets an edge that must stay
 };
 
 double turnAt(const CreaseGraph& graph, Index point)
@@ -139,66 +140,57 @@ double turnAt(const CreaseGraph& graph, Index point)
 
 bool isNoise(const Cluster& cluster, double spacing)
 {
-  if (cluster.fixed)
-  {
-    return false;
-  }
-  const double extent = cluster.box.diagonal().norm() / spacing;
-  const bool loop = cluster.irregular == 0;
-  const bool fine = cluster.length < fineEdge * spacing * cluster.edges;
   const double meanTurn = cluster.turns > 0 ? cluster.turning / cluster.turns : 0.0;
   if (cluster.turns >= fewestNoisyTurns && meanTurn > noisyTurn &&
     cluster.irregular > noisyPerEdge * cluster.edges)
   {
     return true;
   }
+  const double extent = cluster.box.diagonal().norm() / spacing;
+  const bool loop = cluster.irregular == 0;
+  const bool fine = cluster.length < fineEdge * spacing * cluster.edges;
   const double branches = std::max(0, cluster.irregular - 2);
   const bool branching =
     branches > mostPerEdge * cluster.edges && branches > mostPerSpacing * cluster.length / spacing;
   const bool rough = fine && (branching || meanTurn > largestSmoothTurn);
   const bool wiggles = meanTurn > largestMeanTurn || branching;
-  if (cluster.strength > strongAngle * cluster.length)
+  const bool strong = cluster.strength > strongAngle * cluster.length;
+  if (rough && (strong || !wiggles))
   {
-    return extent < (rough ? leastFine : loop ? leastLoop : leastStrong);
+    return extent < leastFine;
   }
-  if (wiggles)
+  if (wiggles && !strong)
   {
     return extent < leastWiggle;
   }
+  if (cluster.attached) // and smooth: short where the surface is narrow
+  {
+    return false;
+  }
+  if (strong)
+  {
+    return extent < (loop ? leastLoop : leastStrong);
+  }
   const bool straight = !fine && cluster.irregular <= 2 && meanTurn < largestSmoothTurn;
   const bool smooth = cluster.irregular <= 2 && meanTurn < largestStraightTurn;
-  const double least = rough ? leastFine
-    : loop                   ? leastLoop
-    : straight               ? leastStraight
-    : fine && !smooth        ? leastFine
-                             : leastCrease;
+  const double least = loop ? leastLoop
+    : straight              ? leastStraight
+    : fine && !smooth       ? leastFine
+                            : leastCrease;
   return extent < least;
 }
 
 std::vector<Cluster> measureClusters(
-  const CreaseGraph& graph, const FeatureEdges& features, DisjointSets& sets)
+  const CreaseGraph& graph, const std::vector<float>& angles, DisjointSets& sets)
 {
-  const std::vector<FeatureKind>& kinds = features.kinds;
-  for (std::size_t e = 0; e < kinds.size(); ++e)
+  for (const Index edge : graph.around)
   {
-    if (kinds[e] != FeatureKind::None)
+    if (graph.droppable[edge])
     {
-      sets.unite(graph.ends[e][0], graph.ends[e][1]);
+      sets.unite(graph.ends[edge][0], graph.ends[edge][1]);
     }
   }
   std::vector<Cluster> clusters(graph.mesh.points.size());
-  for (std::size_t e = 0; e < kinds.size(); ++e)
-  {
-    if (kinds[e] != FeatureKind::None)
-    {
-      Cluster& cluster = clusters[sets.find(graph.ends[e][0])];
-      ++cluster.edges;
-      const double length = graph.length(static_cast<Index>(e));
-      cluster.length += length;
-      cluster.strength += length * features.angles[e];
-      cluster.fixed = cluster.fixed || !graph.droppable[e];
-    }
-  }
   for (Index p = 0; p < graph.mesh.numberOfPoints(); ++p)
   {
     if (graph.degree(p) == 0)
@@ -212,6 +204,21 @@ std::vector<Cluster> measureClusters(
     {
       ++cluster.turns;
       cluster.turning += turnAt(graph, p);
+    }
+    for (Offset i = graph.begin[p]; i < graph.begin[p + 1]; ++i)
+    {
+      const Index edge = graph.around[i];
+      if (!graph.droppable[edge])
+      {
+        cluster.attached = true;
+      }
+      else if (graph.ends[edge][0] == p)
+      {
+        const double length = graph.length(edge);
+        ++cluster.edges;
+        cluster.length += length;
+        cluster.strength += length * angles[edge];
+      }
     }
   }
   return clusters;
@@ -271,10 +278,10 @@ Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
   Index dropped = dropSpurs(graph, leastSpur * options.spacing, kinds);
   listEdgesAroundPoints(kinds, graph);
   DisjointSets sets(mesh.points.size());
-  const std::vector<Cluster> clusters = measureClusters(graph, features, sets);
+  const std::vector<Cluster> clusters = measureClusters(graph, features.angles, sets);
   for (std::size_t e = 0; e < kinds.size(); ++e)
   {
-    if (kinds[e] != FeatureKind::None &&
+    if (kinds[e] != FeatureKind::None && graph.droppable[e] &&
       isNoise(clusters[sets.find(graph.ends[e][0])], options.spacing))
     {
       kinds[e] = FeatureKind::None;
