@@ -53,6 +53,7 @@ public:
   explicit TriangleTree(const Triangles& surface, const RunControl& control = RunControl());
 
   bool empty() const { return m_ids.empty(); }
+  Index size() const { return static_cast<Index>(m_ids.size()); } ///< of triangles with area
 
   /**
    * The closest place of the surface. Where several triangles are as close, one of them: the

@@ -130,7 +130,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
     }
     doneBefore = done;
     const RepairContext context{ problem, surfacePlaces, control, pass >= turningPass,
-      pass <= turningPass ? flippedCost : leastGain };
+      pass <= turningPass ? strayCost : leastGain };
     for (const Index triangle : flipped)
     {
       if (control.cancelled())

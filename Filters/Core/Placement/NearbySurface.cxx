@@ -9,9 +9,19 @@
 
 namespace remesh
 {
-NearbySurface::NearbySurface(const PlacementProblem& problem, double leastHeight)
+namespace
+{
+Point3 centroidOf(const std::array<Point3, 3>& corners)
+{
+  return (corners[0] + corners[1] + corners[2]) / 3.0;
+}
+}
+
+NearbySurface::NearbySurface(
+  const PlacementProblem& problem, double leastHeight, const WholeSurface* whole)
   : m_problem(problem)
   , m_leastHeight(leastHeight)
+  , m_whole(whole)
   , m_reach(problem.mesh.facetPoints.size())
 {
   for (Index f = 0; f < problem.mesh.numberOfFacets(); ++f)
@@ -76,21 +86,37 @@ Point3 NearbySurface::closestPoint(const Index* begin, const Index* end, const P
     at.b[2] * m_problem.facetPoint(at.facet, 2);
 }
 
-Point3 NearbySurface::normalNear(
-  const Triple& components, const std::array<Point3, 3>& corners) const
+Index NearbySurface::facetNear(const Triple& components, const std::array<Point3, 3>& corners) const
 {
-  const Point3 center = (corners[0] + corners[1] + corners[2]) / 3.0;
-  const Index facet = this->closest(components.data(), components.data() + 3, center).facet;
+  return this->closest(components.data(), components.data() + 3, centroidOf(corners)).facet;
+}
+
+Point3 NearbySurface::normalOf(Index facet) const
+{
   return facet == noIndex ? Point3(Point3::Zero())
                           : facetNormal(m_problem.facetPoint(facet, 0),
                               m_problem.facetPoint(facet, 1), m_problem.facetPoint(facet, 2));
 }
 
-double NearbySurface::facingOf(const Triple& components, const std::array<Point3, 3>& corners) const
+Point3 NearbySurface::normalNear(
+  const Triple& components, const std::array<Point3, 3>& corners) const
+{
+  return this->normalOf(this->facetNear(components, corners));
+}
+
+Facing NearbySurface::facingOf(const Triple& components, const std::array<Point3, 3>& corners) const
 {
   const Point3 normal = facetNormal(corners[0], corners[1], corners[2]);
-  const Point3 wanted = this->normalNear(components, corners);
-  return normal.isZero(0.0) || wanted.isZero(0.0) || this->isFlat(corners) ? -1.0
-                                                                           : normal.dot(wanted);
+  const Index facet = this->facetNear(components, corners);
+  const Point3 wanted = this->normalOf(facet);
+  if (normal.isZero(0.0) || wanted.isZero(0.0) || this->isFlat(corners))
+  {
+    return { -1.0, -1.0 };
+  }
+  const double cosine = normal.dot(wanted);
+  return { cosine,
+    m_whole && cosine >= 0.0
+      ? std::min(cosine, m_whole->leastCosine(centroidOf(corners), normal, facet))
+      : cosine };
 }
 }

@@ -7,10 +7,24 @@
 
 #include "Delaunay/SurfaceLocation.h"
 #include "Placement/PlacementProblem.h"
+#include "Placement/WholeSurface.h"
 #include "Support/RunControl.h"
 
 namespace remesh
 {
+/** Which way a triangle faces. */
+struct Facing
+{
+  /**
+   * Cosine between its normal and that of the facet closest to its centroid, among those of the
+   * cells of its vertices; -1 without a normal.
+   */
+  double cosine;
+  /** Where the whole surface is known: the least with its closest facets too, if that is below 0.
+   */
+  double least;
+};
+
 /**
  * Looks among the facets that the cells of given components meet: unlike a search over the whole
  * surface, never on another sheet. O(pieces of these cells), most of them rejected by one distance.
@@ -21,8 +35,11 @@ public:
   /**
    * @param leastHeight unit of the points; triangles less high, and far less than long, have no
    *        normal.
+   * @param whole given, a triangle is flipped, too, where it faces against a facet of another part
+   *        of the surface that is closer to its centroid: of another sheet, or beyond a fold.
    */
-  explicit NearbySurface(const PlacementProblem& problem, double leastHeight = 0.0);
+  explicit NearbySurface(
+    const PlacementProblem& problem, double leastHeight = 0.0, const WholeSurface* whole = nullptr);
 
   /** The closest point; its facet is noIndex without pieces. */
   SurfaceLocation closest(const Index* begin, const Index* end, const Point3& point) const;
@@ -36,22 +53,21 @@ public:
    */
   Point3 normalNear(const Triple& components, const std::array<Point3, 3>& corners) const;
 
-  /**
-   * The cosine between the normal of a triangle and that near it of the surface. -1 without a
-   * normal.
-   */
-  double facingOf(const Triple& components, const std::array<Point3, 3>& corners) const;
+  Facing facingOf(const Triple& components, const std::array<Point3, 3>& corners) const;
   bool isFlipped(const Triple& components, const std::array<Point3, 3>& corners) const
   {
-    return this->facingOf(components, corners) < 0.0;
+    return this->facingOf(components, corners).least < 0.0;
   }
 
 private:
+  Index facetNear(const Triple& components, const std::array<Point3, 3>& corners) const;
+  Point3 normalOf(Index facet) const;
   /** Whether a triangle's corners are all but collinear. */
   bool isFlat(const std::array<Point3, 3>& corners) const;
 
   const PlacementProblem& m_problem;
   double m_leastHeight;
+  const WholeSurface* m_whole;
   std::vector<float> m_reach; ///< F, at least the distance from a facet's first point to others
 };
 }

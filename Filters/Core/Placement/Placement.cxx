@@ -198,6 +198,49 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   repair.movedVertices += moved;
   return status;
 }
+
+/**
+ * Turns back what faces its own cells' facets, but not those of another part of the surface that
+ * are closer. Keeps nothing that leaves fewer of them at the price of others that are flipped.
+ */
+Status mendStrays(const PlacementProblem& problem, double leastHeight,
+  const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start,
+  const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
+{
+  const WholeSurface whole(problem.mesh, control);
+  const NearbySurface surface(problem, leastHeight, &whole);
+  FlipSearch search(surface);
+  std::vector<Index> strays;
+  Status status = search.find(triangles, placement.positions, control, strays);
+  const auto before = static_cast<Offset>(strays.size());
+  if (!status.ok() || before == placement.repair.flippedTriangles ||
+    before > mostFlipped(static_cast<Offset>(triangles.size())))
+  {
+    return status;
+  }
+  std::vector<Triple> turned = triangles;
+  std::vector<Point3> positions = placement.positions;
+  FlipRepair repair;
+  status = repairFlips(problem, surface, placesOnSurface(problem, locations, start), start,
+    FlipSteps::MoveAndTurn, control, search, turned, positions, repair);
+  if (!status.ok())
+  {
+    return status;
+  }
+  const NearbySurface own(problem, leastHeight);
+  std::vector<Index> flipped;
+  status = FlipSearch(own).find(turned, positions, control, flipped);
+  const auto after = static_cast<Offset>(flipped.size());
+  if (status.ok() && repair.flippedTriangles < before && after <= placement.repair.flippedTriangles)
+  {
+    triangles = std::move(turned);
+    placement.positions = std::move(positions);
+    placement.repair.flippedTriangles = after;
+    placement.repair.movedVertices += repair.movedVertices;
+    placement.repair.flippedEdges += repair.flippedEdges;
+  }
+  return status;
+}
 }
 
 Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
@@ -226,6 +269,11 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
   }
   const NearbySurface surface(problem, leastHeight(problem.mesh));
   status = mendFlips(problem, surface, locations, start, control.step(1, 2), triangles, placement);
+  if (status.ok())
+  {
+    status = mendStrays(
+      problem, leastHeight(problem.mesh), locations, start, control.silent(), triangles, placement);
+  }
   if (!status.ok())
   {
     return status;

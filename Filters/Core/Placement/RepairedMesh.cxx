@@ -73,10 +73,10 @@ bool RepairedMesh::isFlipped(const Triple& triangle) const
 double RepairedMesh::cost(const Triple& triangle) const
 {
   const Corners corners = cornersOf(triangle, m_positions);
-  const double cosine = m_surface.facingOf(triangle, corners);
+  const Facing facing = m_surface.facingOf(triangle, corners);
   const double stretch = stretchRatio(cornersOf(triangle, m_shapes), corners);
-  return (cosine < 0.0 ? flippedCost : 0.0) + (1.0 - cosine) +
-    stretchWeight * std::min(stretch, largestStretch);
+  const double flip = facing.cosine < 0.0 ? flippedCost : facing.least < 0.0 ? strayCost : 0.0;
+  return flip + (1.0 - facing.cosine) + stretchWeight * std::min(stretch, largestStretch);
 }
 
 double RepairedMesh::costOfStar(const std::vector<Index>& star) const

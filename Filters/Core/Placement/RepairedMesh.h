@@ -14,7 +14,8 @@
 namespace remesh
 {
 /** Above all that the other costs of a star sum to. */
-constexpr double flippedCost = 1000.0;
+constexpr double strayCost = 1000.0; ///< of a triangle that faces other parts of the surface
+constexpr double flippedCost = 100.0 * strayCost; ///< its own part: above that of a star of strays
 
 class RepairedMesh
 {

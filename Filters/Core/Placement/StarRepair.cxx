@@ -117,7 +117,7 @@ void mendTriangle(
   {
     if (mesh.isFlipped(mesh.triangles()[triangle]))
     {
-      repair.movedVertices += moveVertex(context, vertex, context.gain < flippedCost, mesh);
+      repair.movedVertices += moveVertex(context, vertex, context.gain < strayCost, mesh);
     }
   }
   for (int k = 0; k < 3; ++k)

@@ -1,0 +1,34 @@
+/**
+ * @file WholeSurface.h
+ * @brief Which way the surface faces where it is closest, whatever part of it that is.
+ */
+#ifndef remesh_WholeSurface_h
+#define remesh_WholeSurface_h
+
+#include "Comparison/TriangleTree.h"
+#include "Mesh/SurfaceMesh.h"
+#include "Support/RunControl.h"
+
+namespace remesh
+{
+/** Cost: O(F) to make, in parallel, and 100 bytes a facet while it lives. */
+class WholeSurface
+{
+public:
+  explicit WholeSurface(const SurfaceMesh& mesh, const RunControl& control = RunControl());
+
+  /**
+   * The least cosine between a unit vector and the normals of the facets that hold the surface's
+   * closest point to a place: several, if that is on an edge of theirs. 1 without any.
+   *
+   * @param facet one that may be close, or noIndex; saves time.
+   */
+  double leastCosine(const Point3& place, const Point3& vector, Index facet) const;
+
+private:
+  TriangleTree m_tree;
+  std::vector<Index> m_slots; ///< F, of the facets in the tree; noIndex: without area
+};
+}
+
+#endif
