@@ -2,8 +2,10 @@
 
 #include "Delaunay/FeatureRepair.h"
 #include "Delaunay/TopologyRepair.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace remesh
@@ -11,7 +13,9 @@ namespace remesh
 namespace
 {
 constexpr int mostRepairs = 32;      // in each stage
-constexpr int mostIdleRepairs = 8;   // since one that was better than all before
+constexpr int mostIdleRepairs = 8;   // since one that came nearer than all before
+constexpr double shrinking = 0.9;    // of the failing cells' mass, too, is to come nearer
+constexpr double fewFailures = 0.03; // of the vertices, for that
 constexpr int settledRepairs = 2;    // later ones change nothing but what they must
 constexpr int roundsBetweenCuts = 4; // of tips
 constexpr double mostFailures = 0.1; // of the vertices; with more, there is no use in going on
@@ -62,12 +66,49 @@ Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Re
 
 namespace
 {
+/** Of the cells where the certificate fails. */
+double failingMass(const RemeshResult& result)
+{
+  const Certificate& certificate = result.topology.certificate;
+  std::vector<Index> failing = certificate.cells;
+  for (const auto& [a, b] : certificate.edges)
+  {
+    failing.insert(failing.end(), { a, b });
+  }
+  for (const Triple& vertex : certificate.vertices)
+  {
+    failing.insert(failing.end(), vertex.begin(), vertex.end());
+  }
+  sortUnique(failing);
+  return std::accumulate(failing.begin(), failing.end(), 0.0,
+    [&](double sum, Index component) { return sum + result.components.mass[component]; });
+}
+
+/**
+ * Whether the failures have become fewer than ever, or, at first and where they are few, are closed
+ * in on: a handle far smaller than the cells takes many sites before it is seen.
+ */
+bool comesNearer(const RemeshResult& result, Repair& repair)
+{
+  const Offset failures = result.topology.certificate.violations();
+  const bool areFewer = failures < repair.fewestFailures;
+  repair.fewestFailures = std::min(repair.fewestFailures, failures);
+  const bool areFew =
+    static_cast<double>(failures) <= fewFailures * static_cast<double>(result.components.count());
+  if (repair.stage != RepairStage::Refine || !areFew)
+  {
+    return areFewer;
+  }
+  const double mass = failingMass(result);
+  const bool shrink = mass < shrinking * repair.failingMass;
+  repair.failingMass = areFewer || shrink ? mass : repair.failingMass;
+  return areFewer || shrink;
+}
+
 /** Keeps the state if it is the best so far. */
 void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
 {
-  const Offset failures = result.topology.certificate.violations();
-  repair.idleRounds = failures < repair.fewestFailures ? 0 : repair.idleRounds + 1;
-  repair.fewestFailures = std::min(repair.fewestFailures, failures);
+  repair.idleRounds = comesNearer(result, repair) ? 0 : repair.idleRounds + 1;
   if (const Score score = scoreOf(options, result, repair); score < repair.scoreOfBest)
   {
     repair.scoreOfBest = score;

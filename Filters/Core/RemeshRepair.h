@@ -60,8 +60,10 @@ struct Repair
   int adjustments = 0;
   RepairStage stage = RepairStage::Refine;
   int rounds = 0;     ///< in this stage
-  int idleRounds = 0; ///< in this stage, since one with fewer failures than all before
+  int idleRounds = 0; ///< in this stage, since one that came nearer than all before
   Offset fewestFailures = std::numeric_limits<Offset>::max();
+  /** Of the cells that failed when it last came nearer, at first, while they were few. */
+  double failingMass = std::numeric_limits<double>::infinity();
   int flipRounds = 0;
   std::vector<Offset> flipsBefore; ///< of these rounds, flipped triangles
 

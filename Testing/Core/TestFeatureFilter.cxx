@@ -117,6 +117,23 @@ SurfaceMesh roughBox(int n)
   return test::meshOf(test::makeSoup(soup.points, soup.triangles));
 }
 
+/** A quarter of a square is folded up: a bent crease from border to border, and one within. */
+void testCreaseAtBorder()
+{
+  for (const int n : { 2, 12 })
+  {
+    TriangleSoup soup = test::gridPatch(n, n);
+    for (Point3& point : soup.points)
+    {
+      point.z() = std::max({ 0.0, point.x() - 0.5, point.y() - 0.5 });
+    }
+    for (const Offset sites : { 20, 100, 2000 })
+    {
+      CHECK_EQUAL(countFeatures(test::meshOf(soup), sites), 4 * n + n + n / 2);
+    }
+  }
+}
+
 void testBox()
 {
   const SurfaceMesh mesh = roughBox(20);
@@ -132,6 +149,7 @@ int TestFeatureFilter(int, char*[])
 {
   testNoise();
   testNoiseAtBorder();
+  testCreaseAtBorder();
   testBox();
   return test::result();
 }

@@ -342,6 +342,15 @@ void testThinSheet()
   }
 }
 
+/** A torus whose hole is far smaller than the cells: they are closed in on it until it is kept. */
+void testNarrowHole()
+{
+  for (const double anisotropy : { 0.0, 0.04 })
+  {
+    keepingMesh(polyDataOf(torus(1.0, 0.98, 200, 100)), 600, anisotropy);
+  }
+}
+
 /** A wavy plate with square holes close to each other: 17 loops, concave corners, narrow bars. */
 void testHoles()
 {
@@ -382,6 +391,7 @@ int TestTrustedMeshes(int, char*[])
   testRoughSphere();
   testBumps();
   testThinSheet();
+  testNarrowHole();
   testHoles();
   return result();
 }

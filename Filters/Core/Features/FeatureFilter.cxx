@@ -159,11 +159,11 @@ bool isNoise(const Cluster& cluster, double spacing)
   {
     return extent < leastFine;
   }
-  if (wiggles && !strong)
+  if (wiggles && !strong && (fine || !cluster.attached))
   {
     return extent < leastWiggle;
   }
-  if (cluster.attached) // and smooth: short where the surface is narrow
+  if (cluster.attached) // short where the surface is narrow
   {
     return false;
   }

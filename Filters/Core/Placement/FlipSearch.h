@@ -24,8 +24,9 @@ public:
   }
 
   /**
-   * The triangles whose normal makes more than 90 degrees with that of the closest facet, or that
-   * have none (NearbySurface.h), ascending. Parallel. O(T), and O(pieces of its cells) for each
+   * The triangles whose normal makes more than 90 degrees with that of the closest facet of their
+   * cells, or of the whole surface if it is known, or that have none (NearbySurface.h), ascending.
+   * Parallel. O(T), and O(pieces of its cells) for each
    * that is judged.
    *
    * @param triangles T, as many in each search.

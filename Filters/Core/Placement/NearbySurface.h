@@ -20,14 +20,17 @@ struct Facing
    * cells of its vertices; -1 without a normal.
    */
   double cosine;
-  /** Where the whole surface is known: the least with its closest facets too, if that is below 0.
+  /**
+   * Where the whole surface is known, and `cosine` is not below 0: the least with its closest
+   * facets, too; else `cosine`.
    */
   double least;
 };
 
 /**
  * Looks among the facets that the cells of given components meet: unlike a search over the whole
- * surface, never on another sheet. O(pieces of these cells), most of them rejected by one distance.
+ * surface (WholeSurface.h), never on another sheet. O(pieces of these cells), most of them rejected
+ * by one distance.
  */
 class NearbySurface
 {

@@ -14,6 +14,9 @@ namespace remesh
 {
 namespace
 {
+constexpr Offset mostStrays = 50; // with more, and one of so many triangles, points are too few
+constexpr Offset trianglesForOneStray = 100;
+
 /** Centroids but at the fixed vertices that have places already. */
 std::vector<Point3> startingPlaces(
   const PlacementProblem& problem, const std::vector<Point3>& given)
@@ -201,20 +204,20 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
 
 /**
  * Turns back what faces its own cells' facets, but not those of another part of the surface that
- * are closer. Keeps nothing that leaves fewer of them at the price of others that are flipped.
+ * are closer, if they are few. Keeps nothing by which more triangles are flipped than before.
  */
-Status mendStrays(const PlacementProblem& problem, double leastHeight,
+Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start,
   const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
 {
   const WholeSurface whole(problem.mesh, control);
-  const NearbySurface surface(problem, leastHeight, &whole);
+  const NearbySurface surface(problem, leastHeight(problem.mesh), &whole);
   FlipSearch search(surface);
   std::vector<Index> strays;
   Status status = search.find(triangles, placement.positions, control, strays);
   const auto before = static_cast<Offset>(strays.size());
   if (!status.ok() || before == placement.repair.flippedTriangles ||
-    before > mostFlipped(static_cast<Offset>(triangles.size())))
+    before > mostStrays + static_cast<Offset>(triangles.size()) / trianglesForOneStray)
   {
     return status;
   }
@@ -227,7 +230,6 @@ Status mendStrays(const PlacementProblem& problem, double leastHeight,
   {
     return status;
   }
-  const NearbySurface own(problem, leastHeight);
   std::vector<Index> flipped;
   status = FlipSearch(own).find(turned, positions, control, flipped);
   const auto after = static_cast<Offset>(flipped.size());
@@ -271,8 +273,7 @@ Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
   status = mendFlips(problem, surface, locations, start, control.step(1, 2), triangles, placement);
   if (status.ok())
   {
-    status = mendStrays(
-      problem, leastHeight(problem.mesh), locations, start, control.silent(), triangles, placement);
+    status = mendStrays(problem, surface, locations, start, control.silent(), triangles, placement);
   }
   if (!status.ok())
   {

@@ -29,9 +29,9 @@ struct Placement
 
 /**
  * Places the vertices and turns flipped triangles back (FlipRepair.h): first vertices move, then
- * some retreat to where they come to from the centroids (Retreat.h), then edges turn. Last, the
- * same is tried for triangles that face other parts of the surface the wrong way, where these are
- * closer than their own.
+ * some retreat to where they come to from the centroids (Retreat.h), then edges turn. Last,
+ * moves and turns are tried for triangles that face other parts of the surface the wrong way, where
+ * these are closer than their own.
  *
  * @param locations K, the points of the surface closest to the centroids; replaced by those closest
  *        to the places, among the facets of the vertex's cell and those around it.

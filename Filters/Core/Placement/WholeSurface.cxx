@@ -1,19 +1,23 @@
 #include "Placement/WholeSurface.h"
 
+#include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace remesh
 {
 namespace
 {
-constexpr double asClose = 1e-6; // of the squared distance: more than rounding
+constexpr double asClose = 1e-6;  // of the distance: more than rounding
+constexpr double asExact = 1e-12; // of the surface's size, for places on it
 }
 
 WholeSurface::WholeSurface(const SurfaceMesh& mesh, const RunControl& control)
   : m_tree({ mesh.points, mesh.facetPoints }, control)
   , m_slots(mesh.facetPoints.size(), noIndex)
+  , m_rounding(asExact * boundingBoxDiagonal(mesh))
 {
   for (Index slot = 0; slot < m_tree.size(); ++slot)
   {
@@ -23,10 +27,10 @@ WholeSurface::WholeSurface(const SurfaceMesh& mesh, const RunControl& control)
 
 double WholeSurface::leastCosine(const Point3& place, const Point3& vector, Index facet) const
 {
-  const TriangleTree::Place closest =
-    m_tree.closest(place, facet == noIndex ? noIndex : m_slots[facet]);
+  const TriangleTree::Place closest = m_tree.closest(place, m_slots[facet]);
+  const double radius = (1.0 + asClose) * std::sqrt(closest.at.squared) + m_rounding;
   double least = 1.0;
-  m_tree.visitWithin(place, (1.0 + asClose) * closest.at.squared,
+  m_tree.visitWithin(place, radius * radius,
     [&](const TriangleTree::Place& near)
     {
       const auto& [a, b, c] = m_tree.cornersOf(near.slot);

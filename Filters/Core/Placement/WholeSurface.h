@@ -11,7 +11,7 @@
 
 namespace remesh
 {
-/** Cost: O(F) to make, in parallel, and 100 bytes a facet while it lives. */
+/** Cost: O(F) to make, in parallel, and 110 bytes a facet while it lives. */
 class WholeSurface
 {
 public:
@@ -19,15 +19,17 @@ public:
 
   /**
    * The least cosine between a unit vector and the normals of the facets that hold the surface's
-   * closest point to a place: several, if that is on an edge of theirs. 1 without any.
+   * closest point to a place: several, if that is on an edge of theirs, where a judge may take any.
+   * 1 without any.
    *
-   * @param facet one that may be close, or noIndex; saves time.
+   * @param facet one that may be close: saves time.
    */
   double leastCosine(const Point3& place, const Point3& vector, Index facet) const;
 
 private:
   TriangleTree m_tree;
   std::vector<Index> m_slots; ///< F, of the facets in the tree; noIndex: without area
+  double m_rounding;          ///< of distances, unit of the points
 };
 }
 
