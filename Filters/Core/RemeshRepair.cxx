@@ -15,7 +15,7 @@ namespace
 constexpr int mostRepairs = 32;      // in each stage
 constexpr int mostIdleRepairs = 8;   // since one that came nearer than all before
 constexpr double shrinking = 0.9;    // of the failing cells' mass, too, is to come nearer
-constexpr double fewFailures = 0.03; // of the vertices, for that
+constexpr double fewFailures = 0.03; // of the vertices, with parts of cells, for that
 constexpr int settledRepairs = 2;    // later ones change nothing but what they must
 constexpr int roundsBetweenCuts = 4; // of tips
 constexpr double mostFailures = 0.1; // of the vertices; with more, there is no use in going on
@@ -93,8 +93,9 @@ bool comesNearer(const RemeshResult& result, Repair& repair)
   const Offset failures = result.topology.certificate.violations();
   const bool areFewer = failures < repair.fewestFailures;
   repair.fewestFailures = std::min(repair.fewestFailures, failures);
-  const bool areFew =
-    static_cast<double>(failures) <= fewFailures * static_cast<double>(result.components.count());
+  const Offset parts = result.components.count() - result.numberOfVertexSites();
+  const bool areFew = static_cast<double>(failures + parts) <=
+    fewFailures * static_cast<double>(result.components.count());
   if (repair.stage != RepairStage::Refine || !areFew)
   {
     return areFewer;

@@ -6,6 +6,9 @@
 #include "vtkAnisotropicRemesher.h"
 #include "vtkRestrictedVoronoiDiagram.h"
 
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,9 +110,18 @@ void testHopeless()
   CHECK_EQUAL(radiusOf(given), radius);
   checkSamePoints(given->GetOutput(), wide->GetOutput());
 
+  vtkNew<vtkIntArray> squares; // of 10 x 10 each: borders between them need all the points
+  squares->SetName("Square");
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    squares->InsertNextValue(static_cast<int>(cell / 1200 * 6 + cell / 2 % 60 / 10));
+  }
+  surface->GetCellData()->AddArray(squares);
   const auto usual = remesherOf(surface, 1.0);
+  usual->SetFeatureLabelArray("Square");
   usual->SetNumberOfPoints(250);
   CHECK_EQUAL(radiusOf(usual), 0.0);
+  given->SetFeatureLabelArray("Square");
   given->SetNumberOfPoints(250);
   given->Update();
   CHECK(2 * given->GetNumberOfEvaluations() < usual->GetNumberOfEvaluations());
