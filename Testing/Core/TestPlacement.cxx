@@ -281,6 +281,47 @@ void testRetreat()
 }
 }
 
+/** Which way the surface faces where it is closest, against all of its facets one by one. */
+void testWholeSurface()
+{
+  SurfaceMesh plate = test::meshOf(test::cube());
+  for (Point3& point : plate.points)
+  {
+    point.z() *= 0.1;
+  }
+  const WholeSurface whole(plate);
+  for (std::uint64_t k = 0; k < 500; ++k)
+  {
+    const auto draw = [k](std::uint64_t i) { return uniform01(8, k, i); };
+    Point3 place(2.0 * draw(0) - 0.5, 2.0 * draw(1) - 0.5, 0.3 * draw(2) - 0.1);
+    if (k % 5 == 0) // on an edge between a side and the top
+    {
+      place = Point3(0.0, draw(1), 0.1);
+    }
+    const Point3 vector = Point3(draw(3) - 0.5, draw(4) - 0.5, draw(5) - 0.5).normalized();
+    const auto corner = [&](const Triple& facet, int i) { return plate.points[facet[i]]; };
+    const auto distanceTo = [&](const Triple& facet)
+    {
+      return std::sqrt(
+        closestOnTriangle(place, corner(facet, 0), corner(facet, 1), corner(facet, 2)).squared);
+    };
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Triple& facet : plate.facetPoints)
+    {
+      nearest = std::min(nearest, distanceTo(facet));
+    }
+    double least = 1.0;
+    for (const Triple& facet : plate.facetPoints)
+    {
+      const Point3 normal = facetNormal(corner(facet, 0), corner(facet, 1), corner(facet, 2));
+      const bool isNearest = distanceTo(facet) < 1.00001 * nearest + 1e-9;
+      least = isNearest ? std::min(least, vector.dot(normal)) : least;
+    }
+    const Index hint = static_cast<Index>(k) % plate.numberOfFacets();
+    CHECK_EQUAL(whole.leastCosine(place, vector, hint), least);
+  }
+}
+
 /** A surface of any size is fitted as well as another: the same numbers, scaled. */
 void testScale()
 {
@@ -316,5 +357,6 @@ int TestPlacement(int, char*[])
   testControl();
   testSmall();
   testRetreat();
+  testWholeSurface();
   return test::result();
 }
