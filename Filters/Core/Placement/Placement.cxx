@@ -8,14 +8,18 @@
 #include "Support/Parallel.h"
 #include "Support/SortUnique.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace remesh
 {
 namespace
 {
-constexpr Offset mostStrays = 50; // with more, and one of so many triangles, points are too few
-constexpr Offset trianglesForOneStray = 100;
+/** With more triangles that face other parts of the surface, of so many, points are too few. */
+Offset mostStrays(Offset triangles)
+{
+  return std::min(triangles / 20, 50 + triangles / 100);
+}
 
 /** Centroids but at the fixed vertices that have places already. */
 std::vector<Point3> startingPlaces(
@@ -217,7 +221,7 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   Status status = search.find(triangles, placement.positions, control, strays);
   const auto before = static_cast<Offset>(strays.size());
   if (!status.ok() || before == placement.repair.flippedTriangles ||
-    before > mostStrays + static_cast<Offset>(triangles.size()) / trianglesForOneStray)
+    before > mostStrays(static_cast<Offset>(triangles.size())))
   {
     return status;
   }
