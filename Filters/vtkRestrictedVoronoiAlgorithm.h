@@ -25,12 +25,13 @@
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
  * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose normal makes
  * more than 90 degrees with the surface's closest to their centre, among what their points' cells
- * meet, or whose corners are all but collinear), `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`,
- * `NumberOfExtraPoints` (points beyond those asked for, or, where sites are given or features are
- * not preserved, beyond the number of sites), `Seed`; with MeasureDistance `MaximumDistance` (the
- * largest found from mesh to surface or back; with a distance tolerance a bound that no point
- * passes) and `RMSDistance` (root of the mean of both mean squares), in the unit of the points;
- * `NormalSmoothingRadius` where estimated normals were smoothed over another than the usual one.
+ * meet, or whose corners are all but collinear), `NumberOfNonManifoldEdges`, `EulerCharacteristic`,
+ * `TopologyPreserved`, `NumberOfExtraPoints` (points beyond those asked for, or, where sites are
+ * given or features are not preserved, beyond the number of sites), `Seed`; with MeasureDistance
+ * `MaximumDistance` (the largest found from mesh to surface or back; with a distance tolerance a
+ * bound that no point passes) and `RMSDistance` (root of the mean of both mean squares), in the
+ * unit of the points; `NormalSmoothingRadius` where estimated normals were smoothed over another
+ * than the usual one.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball

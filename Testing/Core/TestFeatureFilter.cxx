@@ -71,8 +71,7 @@ void testNoiseAtBorder()
     for (const Offset sites : { 500, 2000 })
     {
       const Offset features = countFeatures(mesh, sites);
-      CHECK(
-        features >= 400 && features <= 420); // all of the border, and a few edges across corners
+      CHECK(features >= 400 && features <= 420); // the border, and a few edges across corners
     }
   }
 }

@@ -326,8 +326,8 @@ vtkSmartPointer<vtkPolyData> wavySheet(double thickness)
 }
 
 /**
- * Where chords leave a sheet by more than its thickness, its sides go through each other, but no
- * triangle comes to lie nearer to the other side.
+ * Where chords leave a sheet by more than its thickness, its sides go through each other, but
+ * each triangle faces the side it lies nearest to.
  */
 void testThinSheet()
 {
