@@ -2,6 +2,7 @@
 
 #include "Adaptors/MemoryCheck.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -100,13 +101,24 @@ struct NumberRun
     return status;
   }
 
-  /** What is lost, points too many or too few, and flipped triangles: the lower, the better. */
-  std::tuple<bool, Offset, Offset, Offset> faults() const
+  /**
+   * What is lost, points too many or too few in halves of those asked for, places that are lost,
+   * such points one by one, and flipped triangles: the lower, the better.
+   */
+  std::tuple<bool, Offset, Offset, Offset, Offset> faults() const
   {
     const RemeshResult& result = this->outcome.result;
-    return { !result.topology.preserved(), result.topology.certificate.violations(),
-      std::abs(result.components.count() - result.wantedVertices),
-      result.placement.repair.flippedTriangles };
+    const Offset off = std::abs(result.components.count() - result.wantedVertices);
+    return { !result.topology.preserved(), 2 * off / std::max(result.wantedVertices, Offset(1)),
+      result.topology.certificate.violations(), off, result.placement.repair.flippedTriangles };
+  }
+
+  /** Whether the topology is lost, or takes more points than there may be. */
+  bool failsOtherwise() const
+  {
+    const RemeshResult& result = this->outcome.result;
+    return result.topology.lost() ||
+      result.components.count() - result.wantedVertices > this->options.maximumExtraPoints;
   }
 
   /** Makes the mesh with the first radius, too, and keeps it if it is better than the last one. */
@@ -149,7 +161,7 @@ struct NumberRun
       rest = rest.part(this->filled, 1.0);
       if (!status.ok() || !this->outcome.result.fallsApart)
       {
-        const bool compares = status.ok() && widening > 0 && this->outcome.result.topology.lost();
+        const bool compares = status.ok() && widening > 0 && this->failsOtherwise();
         return compares ? this->compareWithFirst(rest) : status;
       }
     }

@@ -5,6 +5,7 @@
 #include "Support/SortUnique.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -54,22 +55,42 @@ void restoreState(Repair& repair, RemeshResult& result)
   repair.counts = repair.best.counts;
 }
 
+namespace
+{
+/** Vertices that stay whatever free sites are taken away: on features, and of parts of cells. */
+Offset leastVertices(const RemeshResult& result)
+{
+  return result.components.count() - (result.sites.count() - result.sites.fixed);
+}
+
+/** As many as there shall be: those asked for if they can be reached, and those added beyond. */
+Offset wantedVertices(
+  const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
+{
+  return options.exactNumber
+    ? std::max(options.numberOfSites, leastVertices(result)) + repair.counts.extraPoints
+    : result.components.count();
+}
+}
+
 Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
 {
   const Offset beyond = result.components.count() - options.numberOfSites;
+  const Offset tooMany = result.components.count() - wantedVertices(options, result, repair);
+  const Certificate& certificate = result.topology.certificate;
   return {
-    options.exactNumber ? std::max({ Offset(0), -beyond, beyond - repair.counts.extraPoints }) : 0,
-    !result.topology.certificate.holds(),
-    result.topology.certificate.violations() + repair.counts.flips
+    options.exactNumber ? std::max({ Offset(0), -beyond, tooMany }) : 0,
+    !certificate.holds(),
+    options.exactNumber ? std::max(Offset(0), beyond - repair.counts.extraPoints) : 0,
+    certificate.violations() + repair.counts.flips,
   };
 }
 
 namespace
 {
-/** Of the cells where the certificate fails. */
-double failingMass(const RemeshResult& result)
+/** Where the certificate fails; ascending. */
+std::vector<Index> failingComponents(const Certificate& certificate)
 {
-  const Certificate& certificate = result.topology.certificate;
   std::vector<Index> failing = certificate.cells;
   for (const auto& [a, b] : certificate.edges)
   {
@@ -80,6 +101,12 @@ double failingMass(const RemeshResult& result)
     failing.insert(failing.end(), vertex.begin(), vertex.end());
   }
   sortUnique(failing);
+  return failing;
+}
+
+double failingMass(const RemeshResult& result)
+{
+  const std::vector<Index> failing = failingComponents(result.topology.certificate);
   return std::accumulate(failing.begin(), failing.end(), 0.0,
     [&](double sum, Index component) { return sum + result.components.mass[component]; });
 }
@@ -153,8 +180,58 @@ RepairStage nextStage(const Task& task, const Repair& repair, const RemeshResult
     : RepairStage::GivenUp;
 }
 
+/** Curves where these reach them; the number of vertices is brought to what it shall be at once. */
+Index repairCurves(const Task& task, const std::vector<Intrusion>& intrusions,
+  const RunControl& control, Repair& repair, RemeshResult& result)
+{
+  const Offset before = result.featureSites.numberOfPoints();
+  Refinement refinement;
+  const Index touched = refineCurves(task.mesh, task.surface, *task.features, intrusions,
+    result.sites, task.mostPointsOnFeatures(result.numberOfVertexSites()), control, result.stations,
+    result.featureSites, refinement.removed);
+  if (touched > 0)
+  {
+    const Offset joining = static_cast<Offset>(refinement.removed.size());
+    const Offset onCurves = result.featureSites.numberOfPoints() - before;
+    const Offset wanted = task.options.exactNumber
+      ? wantedVertices(task.options, result, repair) - onCurves
+      : result.components.count() - joining;
+    revise(std::move(refinement), result.topology.certificate, wanted, task, repair, result);
+    replaceFixed(result.featureSites, result.sites);
+  }
+  return touched;
+}
+
+/**
+ * Where cells of sites on features reach another feature and the certificate fails. Elsewhere their
+ * triangles with the collar are no harm.
+ */
+std::vector<Intrusion> failingEncroachments(const RemeshResult& result)
+{
+  const std::vector<Index> failing = failingComponents(result.topology.certificate);
+  std::vector<Intrusion> found;
+  std::copy_if(result.seams.encroachments.begin(), result.seams.encroachments.end(),
+    std::back_inserter(found),
+    [&](const Intrusion& intrusion)
+    { return std::binary_search(failing.begin(), failing.end(), intrusion.component); });
+  return found;
+}
+
+/** Places on curves there, if that does not take more vertices than asked for, or they all do. */
+Index repairEncroachments(
+  const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+{
+  const std::vector<Intrusion> found = failingEncroachments(result);
+  const Offset least = leastVertices(result);
+  const Offset asked = task.options.numberOfSites;
+  const bool fits = !task.options.exactNumber || least > asked ||
+    least + static_cast<Offset>(found.size()) <= asked;
+  return fits && !found.empty() ? repairCurves(task, found, control, repair, result) : 0;
+}
+
 /** Sites for where the certificate fails. */
-Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
+Index repairTopology(
+  const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   if (repair.stage == RepairStage::GivenUp)
   {
@@ -174,7 +251,7 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
     repair.idleRounds = 0;
     if (scoreOf(task.options, result, repair) < repair.scoreOfBest)
     {
-      return repairTopology(task, repair, result);
+      return repairTopology(task, control, repair, result);
     }
     restoreState(repair, result);
     return 1;
@@ -188,19 +265,22 @@ Index repairTopology(const Task& task, Repair& repair, RemeshResult& result)
   const Offset extra = repair.stage == RepairStage::BeyondNumber && repair.flipRounds == 0
     ? std::min(count, task.options.maximumExtraPoints - repair.counts.extraPoints)
     : 0;
-  const Offset before = task.options.exactNumber
-    ? task.options.numberOfSites + repair.counts.extraPoints
-    : result.components.count();
+  const Offset before = wantedVertices(task.options, result, repair);
   repair.counts.extraPoints += extra;
   repair.idleRounds = extra > 0 ? 0 : repair.idleRounds;
   const Index touched = revise(
     std::move(refinement), result.topology.certificate, before + extra, task, repair, result);
-  if (touched == 0) // there are no sites to take away
+  if (touched > 0)
   {
-    repair.rounds = mostRepairs;
-    return repairTopology(task, repair, result);
+    return touched;
   }
-  return touched;
+  // There is nothing to add, or there are no sites to take away for it.
+  if (const Index onCurves = repairEncroachments(task, control, repair, result); onCurves > 0)
+  {
+    return onCurves;
+  }
+  repair.rounds = mostRepairs;
+  return repairTopology(task, control, repair, result);
 }
 }
 
@@ -278,36 +358,12 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   {
     failures.vertices.push_back(result.dual.triangles[t]);
   }
-  const Offset wanted = task.options.exactNumber
-    ? task.options.numberOfSites + repair.counts.extraPoints
-    : result.components.count();
+  const Offset wanted = wantedVertices(task.options, result, repair);
   Refinement refinement = refineTriangles(
     { task.surface, result.sites, result.diagram }, result.components, result.dual, flipped);
   return refinement.added.empty()
     ? 0
     : revise(std::move(refinement), failures, wanted, task, repair, result);
-}
-
-/** Curves where cells reach them; the number of vertices is brought to what it shall be at once. */
-Index repairCurves(
-  const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
-{
-  const Offset before = result.featureSites.numberOfPoints();
-  Refinement refinement;
-  const Index touched = refineCurves(task.mesh, task.surface, *task.features, result.seams,
-    result.sites, task.mostPointsOnFeatures(result.numberOfVertexSites()), control, result.stations,
-    result.featureSites, refinement.removed);
-  if (touched > 0)
-  {
-    const Offset joining = static_cast<Offset>(refinement.removed.size());
-    const Offset onCurves = result.featureSites.numberOfPoints() - before;
-    const Offset wanted = task.options.exactNumber
-      ? task.options.numberOfSites + repair.counts.extraPoints - onCurves
-      : result.components.count() - joining;
-    revise(std::move(refinement), result.topology.certificate, wanted, task, repair, result);
-    replaceFixed(result.featureSites, result.sites);
-  }
-  return touched;
 }
 }
 
@@ -315,7 +371,8 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
 {
   if (task.features && repair.refinements < mostRefinements)
   {
-    if (const Index touched = repairCurves(task, control, repair, result); touched > 0)
+    if (const Index touched = repairCurves(task, result.seams.intrusions, control, repair, result);
+        touched > 0)
     {
       ++repair.refinements;
       return touched;
@@ -325,13 +382,13 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   {
     repair.counts.flips = 0;
     keepBest(task.options, result, repair);
-    if (const Index touched = repairTopology(task, repair, result); touched > 0)
+    if (const Index touched = repairTopology(task, control, repair, result); touched > 0)
     {
       repair.adjustments = std::min(repair.adjustments, settledAdjustments);
       return touched;
     }
   }
-  const Offset wanted = task.options.numberOfSites + repair.counts.extraPoints;
+  const Offset wanted = wantedVertices(task.options, result, repair);
   if (task.options.exactNumber && repair.adjustments < mostAdjustments &&
     result.components.count() != wanted)
   {

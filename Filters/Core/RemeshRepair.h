@@ -45,12 +45,13 @@ enum class RepairStage
 };
 
 /**
- * How many vertices there are too many or too few, whether the certificate fails, and how many
- * failures and flipped triangles there are; lower is better.
+ * How many vertices there are too many or too few, whether the certificate fails, how many vertices
+ * more than asked for features and parts of cells take, and how many failures and flipped triangles
+ * there are; lower is better.
  */
-using Score = std::tuple<Offset, bool, Offset>;
+using Score = std::tuple<Offset, bool, Offset, Offset>;
 
-const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0 };
+const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0, 0 };
 
 /** What was mended how often, each with its own bound, and the best state so far. */
 struct Repair

@@ -110,7 +110,10 @@ public:
     {
       const Index x = m_components.ofPiece[m_stretches[inner].piece];
       const Index c = m_seams.components[m_cells[outer].point];
-      this->noteIntrusion(collar, inner, outer);
+      if (x != c)
+      {
+        this->noteIntrusion(collar, inner, outer);
+      }
       const Contact contact{ static_cast<Index>(m_stretches[inner].piece), innerEnd ? 1 : 0 };
       const bool lastInner = inner + 1 == m_stretches.size();
       const bool lastOuter = outer + 1 == m_cells.size();
@@ -181,25 +184,37 @@ private:
     }
   }
 
-  /** A free site's piece on the curve. */
+  /** A piece on the curve that is not the curve's own there. */
   void noteIntrusion(const CollarEdge& collar, std::size_t inner, std::size_t outer)
   {
-    const Index site = m_diagram.sites[m_stretches[inner].piece];
-    if (site < m_sites.sites.count())
-    {
-      return;
-    }
+    const Offset piece = m_stretches[inner].piece;
+    const Index site = m_diagram.sites[piece];
     const double begin = std::max(
       inner > 0 ? m_stretches[inner - 1].end : 0.0, outer > 0 ? m_cells[outer - 1].end : 0.0);
     const double end = std::min(m_stretches[inner].end, m_cells[outer].end);
-    Intrusion intrusion{ collar.curve, 0, site, {}, 0.0 };
+    Intrusion intrusion{ collar.curve, 0, site, m_components.ofPiece[piece], {}, 0.0 };
     const double foot = this->footOf(site, begin, end, intrusion.squared);
     intrusion.foot = { collar.segment, m_forward ? foot : 1.0 - foot };
     const std::vector<Station>& stations = m_stations[collar.curve];
     const auto after = std::upper_bound(stations.begin(), stations.end(), intrusion.foot);
     intrusion.section = std::clamp(static_cast<Index>(after - stations.begin()) - 1, Index(0),
       static_cast<Index>(stations.size()) - 2);
-    m_seams.intrusions.push_back(intrusion);
+    if (site >= m_sites.sites.count())
+    {
+      m_seams.intrusions.push_back(intrusion);
+    }
+    else if (!this->endsSection(intrusion))
+    {
+      m_seams.encroachments.push_back(intrusion);
+    }
+  }
+
+  /** Whether the cell is of one of the two sites that the section is between. */
+  bool endsSection(const Intrusion& intrusion) const
+  {
+    const std::vector<Index>& points = m_sites.curvePoints[intrusion.curve];
+    return intrusion.component == m_seams.components[points[intrusion.section]] ||
+      intrusion.component == m_seams.components[points[intrusion.section + 1]];
   }
 
   /** The place on the edge nearest to a site, between two others. */
@@ -340,6 +355,7 @@ Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
     }
   }
   keepNearest(seams.intrusions);
+  keepNearest(seams.encroachments);
   return seams;
 }
 

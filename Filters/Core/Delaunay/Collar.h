@@ -28,14 +28,15 @@ struct FeatureSegment
   FeatureKind kind;
 };
 
-/** A cell of a free site that reaches a curve between two of the curve's sites. */
+/** A cell that reaches a curve between two of the curve's sites, and is of neither. */
 struct Intrusion
 {
   Index curve;
   Index section; ///< of the curve, after this station
   Index site;
-  Station foot;   ///< nearest to the site, of the curve's points in its cell
-  double squared; ///< distance of the two, in R^d
+  Index component; ///< of the site, that reaches the curve
+  Station foot;    ///< nearest to the site, of the curve's points in its cell
+  double squared;  ///< distance of the two, in R^d
 };
 
 /** The collar of a vertex: all stretches of the curves that are its own, on all sides. */
@@ -58,7 +59,8 @@ struct Seams
   std::vector<Index> components;        ///< of each feature point, or noIndex where it has no cell
   std::vector<FeatureSegment> segments; ///< of all curves, in their order
   std::vector<Triple> triangles;        ///< of components, oriented as their facet
-  std::vector<Intrusion> intrusions;    ///< by curve, section and site; each of them once
+  std::vector<Intrusion> intrusions;    ///< of free sites, by curve, section and site; each once
+  std::vector<Intrusion> encroachments; ///< of sites on features, in the same order
   std::vector<CollarShape> collars;     ///< of each feature point
   std::vector<Contact> contacts;        ///< edge by edge
   bool isComplete = true;               ///< each edge is covered by pieces from end to end

@@ -151,6 +151,13 @@ Index removeHangingTriangles(const EdgeValences& edges, Components& components,
   {
     segment.ends = { numbers[segment.ends[0]], numbers[segment.ends[1]] };
   }
+  for (std::vector<Intrusion>* list : { &seams.intrusions, &seams.encroachments })
+  {
+    for (Intrusion& intrusion : *list)
+    {
+      intrusion.component = numbers[intrusion.component];
+    }
+  }
   return count;
 }
 }

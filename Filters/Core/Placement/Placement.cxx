@@ -113,8 +113,10 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
  * Where triangles are left flipped, with the vertices around them at the centroids again, and the
  * dual's edges: what mends them there differs from what does at the fitted places.
  *
- * @param fitted K, before edges were turned.
- * @param flipped by them.
+ * @param problem with the triangles before edges were turned.
+ * @param fitted K, the places then.
+ * @param flipped then.
+ * @param triangles after; changed only for better ones.
  */
 Status mendFromCentroids(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Point3>& onSurface, const std::vector<Point3>& start,
@@ -192,6 +194,7 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
     status = search.find(triangles, placement.positions, control, flipped);
   }
   const std::vector<Point3> fitted = placement.positions;
+  const std::vector<Triple> dual = triangles; // `problem` may hold the very list that changes
   if (status.ok())
   {
     status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn, control,
@@ -199,8 +202,10 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   }
   if (status.ok() && repair.flippedTriangles > 0)
   {
+    const PlacementProblem unturned{ problem.mesh, problem.surface, problem.sites, problem.diagram,
+      problem.components, dual, problem.fixed, problem.featureEdges };
     status = mendFromCentroids(
-      problem, surface, onSurface, start, fitted, flipped, control, triangles, placement);
+      unturned, surface, onSurface, start, fitted, flipped, control, triangles, placement);
   }
   repair.movedVertices += moved;
   return status;

@@ -1,0 +1,180 @@
+// Delaunay/FeatureRepair: cells of sites on one feature that reach another give it places there;
+// narrow bars between windows come out right, though features take more points than asked for.
+
+#include "Delaunay/FeatureRepair.h"
+#include "Features/FeatureGraph.h"
+#include "Support/Random.h"
+#include "TestDuals.h"
+#include "TestPlacements.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace remesh;
+
+namespace
+{
+/** A surface cut open along its features, and sites on these alone. */
+struct Framed
+{
+  SurfaceMesh mesh;
+  Features features;
+  EmbeddedSurface surface;
+  Stations stations;
+  FeatureSites featureSites;
+
+  Framed(SurfaceMesh given, double anisotropy)
+    : mesh(std::move(given))
+    , features(findFeatures(mesh, FeatureOptions()))
+    , surface(test::gaussMapOf(mesh, anisotropy))
+  {
+    separatePatches(this->features.facetPatches, this->features.numberOfPatches, this->surface);
+  }
+
+  /** Each curve in as many sections as `sections(curve)`. */
+  template <class Sections>
+  void divide(const Sections& sections)
+  {
+    for (std::size_t c = 0; c < this->features.curves.size(); ++c)
+    {
+      const std::vector<double> lengths =
+        measureCurve(this->mesh, this->surface, this->features, static_cast<Index>(c));
+      const int count = sections(this->features.curves[c]);
+      this->stations.emplace_back();
+      for (int k = 0; k <= count; ++k)
+      {
+        this->stations.back().push_back(stationAt(lengths, lengths.back() * k / count));
+      }
+    }
+    this->featureSites =
+      makeFeatureSites(this->mesh, this->surface, this->features, this->stations);
+  }
+
+  Seams sew() const
+  {
+    const Sites& sites = this->featureSites.sites;
+    const test::Computed cells = test::computed(this->surface, sites);
+    const EdgeTable edges = buildCutEdgeTable(this->mesh, &this->features, RunControl());
+    Components components;
+    CHECK(findComponents(this->mesh, this->surface, sites, edges, cells.diagram, cells.owners,
+      RunControl(), components, &this->featureSites)
+            .ok());
+    return sewAlongFeatures(cells.diagram, components, this->mesh, this->surface, this->features,
+      this->stations, this->featureSites, sites);
+  }
+
+  Index refine(const std::vector<Intrusion>& intrusions, std::vector<Index>& joining)
+  {
+    const Sites sites = this->featureSites.sites;
+    return refineCurves(this->mesh, this->surface, this->features, intrusions, sites, 0,
+      RunControl(), this->stations, this->featureSites, joining);
+  }
+};
+
+/** A strip with many sites on one side, whose cells reach across to the other side, with none. */
+void testStrip()
+{
+  constexpr double width = 0.05;
+  TriangleSoup soup = test::gridPatch(40, 2);
+  for (Point3& point : soup.points)
+  {
+    point.y() *= width;
+  }
+  Framed strip(test::meshOf(soup), 0.0);
+  CHECK_EQUAL(strip.features.curves.size(), std::size_t(4));
+  const auto isAt = [&](const FeatureCurve& curve, double y)
+  {
+    return std::all_of(curve.points.begin(), curve.points.end(),
+      [&](Index point) { return std::abs(strip.mesh.points[point].y() - y) < 1e-6; });
+  };
+  strip.divide([&](const FeatureCurve& curve) { return isAt(curve, 0.0) ? 20 : 1; });
+
+  Seams seams = strip.sew();
+  CHECK(seams.intrusions.empty()); // there are no free sites
+  CHECK(seams.encroachments.size() >= 15);
+  Index last = noIndex;
+  for (const Intrusion& found : seams.encroachments)
+  {
+    const FeatureCurve& curve = strip.features.curves[found.curve];
+    CHECK(isAt(curve, width));
+    CHECK_EQUAL(found.section, 0);
+    CHECK(found.site > last); // each once, in order
+    last = found.site;
+    const Index own = strip.featureSites.pointOfSite[found.site];
+    CHECK_EQUAL(found.component, seams.components[own]);
+    const Point3& from = strip.mesh.points[curve.points[found.foot.segment]];
+    const Point3& to = strip.mesh.points[curve.points[found.foot.segment + 1]];
+    const double x = from.x() + found.foot.t * (to.x() - from.x());
+    CHECK_NEAR(x, strip.featureSites.points[own].place.x(), 0.026); // within the cell
+  }
+
+  // Sections are halved until each side has its own cells; no site goes for it.
+  int rounds = 0;
+  for (; !seams.encroachments.empty() && rounds < 10; ++rounds)
+  {
+    std::vector<Index> joining;
+    const Index before = strip.featureSites.numberOfPoints();
+    const Index added = strip.refine(seams.encroachments, joining);
+    CHECK(added > 0 && joining.empty());
+    CHECK_EQUAL(strip.featureSites.numberOfPoints(), before + added);
+    seams = strip.sew();
+  }
+  CHECK(rounds > 2 && rounds < 10); // one after the other would take 19
+  CHECK(strip.featureSites.numberOfPoints() <= 46);
+}
+
+/** A rough plate of narrow bars around rectangular windows. */
+SurfaceMesh lattice()
+{
+  constexpr int n = 40;
+  const TriangleSoup grid = test::gridPatch(n, n);
+  std::vector<Point3> points = grid.points;
+  std::vector<std::array<Offset, 3>> triangles;
+  std::copy_if(grid.triangles.begin(), grid.triangles.end(), std::back_inserter(triangles),
+    [&](const std::array<Offset, 3>& t)
+    {
+      const Point3 center = n * (points[t[0]] + points[t[1]] + points[t[2]]) / 3.0;
+      return std::fmod(center.x(), 10.0) < 1.0 || std::fmod(center.y(), 12.0) < 1.0;
+    });
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    Point3& p = points[k];
+    p.z() = 0.03 * std::sin(9.0 * p.x()) * std::sin(7.0 * p.y()) + 0.005 * uniform01(1, k, 0);
+  }
+  return test::meshOf(test::makeSoup(points, triangles));
+}
+
+/**
+ * Nearly all sites are on features, as those alone are more than asked for: what the topology needs
+ * comes on top, as few extra points as there may be, and places on the curves.
+ */
+void testLattice()
+{
+  const Framed plate(lattice(), 0.5);
+  for (const auto& [asked, extra] : { std::pair(576, 0), std::pair(576, 5), std::pair(460, 5) })
+  {
+    for (std::uint64_t seed = 0; seed < 8; ++seed)
+    {
+      RemeshOptions options;
+      options.numberOfSites = asked;
+      options.exactNumber = true;
+      options.maximumExtraPoints = extra;
+      options.seed = seed;
+      RemeshResult result;
+      CHECK(
+        remesh::remesh(plate.mesh, plate.surface, options, RunControl(), result, &plate.features)
+          .ok());
+      CHECK(result.topology.preserved());
+      CHECK(test::shapeOf(result.dual.triangles).isManifold());
+      CHECK(result.components.count() <= asked + 50);
+    }
+  }
+}
+}
+
+int TestFeatureRepair(int, char*[])
+{
+  testStrip();
+  testLattice();
+  return test::result();
+}
