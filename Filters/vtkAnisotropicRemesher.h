@@ -101,7 +101,8 @@ public:
    * corners and bends need more than half of them, there is a warning. Curves close to each other
    * get more, up to nine tenths in all; beyond that where cells reach from one to another and
    * nothing else mends the topology. Creases that are small against the spacing of the points, or
-   * that zigzag and branch like noise, are not kept.
+   * that zigzag and branch like noise, are not kept; neither are the low steps of voxels where they
+   * bend at more points than are asked for.
    *
    * Not with given initial sites.
    */

@@ -1,5 +1,6 @@
 // Features/FeatureFilter: noise makes no creases, however far its edges hang together and whatever
-// border they meet; what a solid with rough faces has at its own edges stays.
+// border they meet; what a solid with rough faces has at its own edges stays. Neither do the steps
+// of voxels, where there are more than points.
 
 #include "Features/FeatureGraph.h"
 #include "Mesh/NormalFlow.h"
@@ -142,6 +143,37 @@ void testBox()
     CHECK_EQUAL(countFeatures(mesh, sites), 12 * 20);
   }
 }
+
+/** A ball of voxels whose steps bend at some 1800 points. */
+void testSteps()
+{
+  const auto isInBall = [](int i, int j, int k)
+  { return Point3(i - 14.5, j - 14.5, k - 14.5).norm() < 14.2; };
+  const SurfaceMesh ball = test::meshOf(test::voxelSurface(30, isInBall));
+  CHECK_NEAR(test::enclosedVolume(ball), 4.0 / 3.0 * 3.1416 * std::pow(14.2, 3.0), 200.0);
+  const Offset all = countFeatures(ball, 100000);
+  CHECK(all > 4000);
+  CHECK_EQUAL(countFeatures(ball, 4000), all); // there are points enough
+  for (const Offset sites : { 100, 200, 400, 800 })
+  {
+    CHECK(countFeatures(ball, sites) < all / 20);
+  }
+
+  // Of pins and fins nothing goes, however few the points: they would shrink.
+  const auto isInPins = [](int i, int j, int k) { return k < 3 || (i % 5 < 3 && j % 5 < 3); };
+  const auto isInFins = [](int i, int, int k) { return k < 3 || i % 5 < 3; };
+  const auto checkKept = [](const TriangleSoup& soup)
+  {
+    const SurfaceMesh mesh = test::meshOf(soup);
+    const Offset kept = countFeatures(mesh, 100000);
+    for (const Offset sites : { 60, 150, 300, 1000 })
+    {
+      CHECK_EQUAL(countFeatures(mesh, sites), kept);
+    }
+  };
+  checkKept(test::voxelSurface(28, isInPins));
+  checkKept(test::voxelSurface(28, isInFins));
+}
 }
 
 int TestFeatureFilter(int, char*[])
@@ -150,5 +182,6 @@ int TestFeatureFilter(int, char*[])
   testNoiseAtBorder();
   testCreaseAtBorder();
   testBox();
+  testSteps();
   return test::result();
 }

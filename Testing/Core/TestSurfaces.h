@@ -7,6 +7,7 @@
 
 #include "Mesh/SurfaceMesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -184,6 +185,45 @@ inline TriangleSoup icosphere(int levels)
   for (Point3& point : points)
   {
     point.normalize();
+  }
+  return makeSoup(std::move(points), std::move(triangles));
+}
+
+/** The faces of unit voxels at (0, 0, 0) to (n - 1)^3, those inside; each with its own points. */
+template <class Inside>
+TriangleSoup voxelSurface(int n, const Inside& inside)
+{
+  std::vector<Point3> points;
+  std::vector<std::array<Offset, 3>> triangles;
+  const auto isInside = [&](const std::array<int, 3>& at)
+  {
+    return std::all_of(at.begin(), at.end(), [n](int k) { return k >= 0 && k < n; }) &&
+      inside(at[0], at[1], at[2]);
+  };
+  for (int voxel = 0; voxel < n * n * n; ++voxel)
+  {
+    const std::array<int, 3> at{ voxel % n, voxel / n % n, voxel / n / n };
+    for (int face = 0; face < 6 && isInside(at); ++face)
+    {
+      const int axis = face / 2;
+      std::array<int, 3> beyond = at;
+      beyond[axis] += face % 2 == 1 ? 1 : -1;
+      if (isInside(beyond))
+      {
+        continue;
+      }
+      const auto first = static_cast<Offset>(points.size());
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        Point3 point(at[0], at[1], at[2]);
+        point[axis] += face % 2;
+        point[(axis + 1 + face % 2) % 3] += corner / 2;                 // around the face, as it is
+        point[(axis + 2 - face % 2) % 3] += corner == 1 || corner == 2; // seen from outside
+        points.push_back(point);
+      }
+      triangles.push_back({ first, first + 1, first + 2 });
+      triangles.push_back({ first, first + 2, first + 3 });
+    }
   }
   return makeSoup(std::move(points), std::move(triangles));
 }

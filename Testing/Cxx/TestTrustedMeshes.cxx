@@ -380,6 +380,19 @@ void testHoles()
     CHECK_NEAR(borderRatio(trial, surface), 1.0, 1e-3);
   }
 }
+
+/** A ball of voxels, with fewer points than its steps have: a ball, of as many points as asked. */
+void testVoxels()
+{
+  const auto isInside = [](int i, int j, int k)
+  { return Point3(i - 14.5, j - 14.5, k - 14.5).norm() < 14.2; };
+  const auto surface = polyDataOf(voxelSurface(30, isInside));
+  for (const double anisotropy : { 0.0, 0.04 })
+  {
+    const Trial trial = checkedMesh(surface, 600, anisotropy);
+    CHECK(trial.value("RelativeRMSDistance") < 0.012); // half a voxel
+  }
+}
 }
 
 int TestTrustedMeshes(int, char*[])
@@ -393,5 +406,6 @@ int TestTrustedMeshes(int, char*[])
   testThinSheet();
   testNarrowHole();
   testHoles();
+  testVoxels();
   return result();
 }

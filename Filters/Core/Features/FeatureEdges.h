@@ -36,6 +36,16 @@ struct FeatureEdges
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control);
 
+/** Whether an edge is a crease and no border of labels. */
+inline bool mayBeDropped(const EdgeTable& edges, const FeatureOptions& options,
+  const std::vector<FeatureKind>& kinds, Index edge)
+{
+  const Index* facets = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+  const std::vector<Index>& labels = options.facetLabels;
+  return kinds[edge] == FeatureKind::Crease &&
+    (labels.empty() || labels[facets[0]] == labels[facets[1]]);
+}
+
 /**
  * Drops creases that are small against the spacing: connected sets of crease edges whose extent is
  * below a few spacings, more if they are weak and zigzag or branch like noise, less if they are
@@ -47,6 +57,18 @@ FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
  */
 Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, FeatureEdges& features);
+
+/**
+ * Where features meet, end or bend at more points than the spacing gives, drops the steps of
+ * voxels: creases that are gone where the surface is smoothed over at most the spacing, among such
+ * that hang together and move by little of it. Over a quarter of the spacing, then half of it, then
+ * all, until such points are fewer than half of those that the spacing gives.
+ *
+ * @return the number of edges dropped; 0 as a rule. O(F), and the smoothing (NormalFlow.h).
+ */
+Index dropSteps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options,
+  const RunControl& control, FeatureEdges& features);
+
 /**
  * Goes on from the loose ends of creases along edges of at least half the angle, as straight as
  * they come, and keeps what leads to another feature: creases whose angle wavers are not left in

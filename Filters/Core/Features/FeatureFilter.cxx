@@ -106,10 +106,7 @@ CreaseGraph makeGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
   graph.droppable.assign(kinds.size(), 0);
   for (std::size_t e = 0; e < kinds.size(); ++e)
   {
-    const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[e];
-    graph.droppable[e] = kinds[e] == FeatureKind::Crease &&
-      (options.facetLabels.empty() ||
-        options.facetLabels[around[0]] == options.facetLabels[around[1]]);
+    graph.droppable[e] = mayBeDropped(edges, options, kinds, static_cast<Index>(e));
   }
   listEdgesAroundPoints(kinds, graph);
   return graph;

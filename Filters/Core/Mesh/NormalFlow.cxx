@@ -191,6 +191,42 @@ bool buildMatrix(const SurfaceMesh& mesh, double radius, double time, const RunC
   }
   return mergeEntries(begins, entries, control, matrix);
 }
+
+/** Lets a field flow; `accept(smoothed, field)` takes over each step. False when cancelled. */
+template <class Accept>
+bool flow(const SurfaceMesh& mesh, double radius, const RunControl& control, VectorField& field,
+  const Accept& accept)
+{
+  FlowMatrix matrix;
+  if (!buildMatrix(mesh, radius, 0.25 / numberOfSteps, control.silent(), matrix))
+  {
+    return false;
+  }
+  ConjugateGradientsLimits limits;
+  limits.reduction = wantedReduction;
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(field.size()), 64, 1 << 15);
+  VectorField residual(field.size());
+  for (int step = 0; step < numberOfSteps; ++step)
+  {
+    VectorField smoothed = field;
+    // M n - (M + t L) n: the step starts at the field itself.
+    const bool started = forEachRange(blocks, control.silent(),
+      [&](Offset begin, Offset end)
+      {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        {
+          residual[i] = matrix.masses[i] * field[i] - matrix.row(field, i);
+        }
+      });
+    if (!started || !solveConjugateGradients(matrix, limits, control, residual, smoothed))
+    {
+      return false;
+    }
+    accept(smoothed, field);
+    control.report((step + 1.0) / numberOfSteps);
+  }
+  return true;
+}
 }
 
 void smoothNormalsOver(
@@ -200,41 +236,34 @@ void smoothNormalsOver(
   {
     return;
   }
-  FlowMatrix matrix;
-  if (!buildMatrix(mesh, radius, 0.25 / numberOfSteps, control.silent(), matrix))
-  {
-    return;
-  }
-  ConjugateGradientsLimits limits;
-  limits.reduction = wantedReduction;
-  const Blocks blocks = Blocks::cut(static_cast<Offset>(normals.size()), 64, 1 << 15);
-  VectorField residual(normals.size());
-  for (int step = 0; step < numberOfSteps; ++step)
-  {
-    VectorField smoothed = normals;
-    // M n - (M + t L) n: the step starts at the normals themselves.
-    const bool started = forEachRange(blocks, control.silent(),
-      [&](Offset begin, Offset end)
+  flow(mesh, radius, control, normals,
+    [](const VectorField& smoothed, VectorField& field)
+    {
+      for (std::size_t i = 0; i < field.size(); ++i)
       {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        const double length = smoothed[i].norm();
+        if (length > leastLength)
         {
-          residual[i] = matrix.masses[i] * normals[i] - matrix.row(normals, i);
+          field[i] = smoothed[i] / length;
         }
-      });
-    if (!started || !solveConjugateGradients(matrix, limits, control, residual, smoothed))
-    {
-      return;
-    }
-    for (std::size_t i = 0; i < normals.size(); ++i)
-    {
-      const double length = smoothed[i].norm();
-      if (length > leastLength)
-      {
-        normals[i] = smoothed[i] / length;
       }
-    }
-    control.report((step + 1.0) / numberOfSteps);
+    });
+}
+
+std::vector<Point3> smoothPlacesOver(
+  const SurfaceMesh& mesh, double radius, const RunControl& control)
+{
+  std::vector<Point3> places;
+  for (const Index point : mesh.cornerPoints)
+  {
+    places.push_back(mesh.points[point]);
   }
+  if (radius > 0.0 && std::isfinite(radius) && !places.empty())
+  {
+    flow(mesh, radius, control, places,
+      [](VectorField& smoothed, VectorField& field) { field.swap(smoothed); });
+  }
+  return places;
 }
 
 double meanSpacing(const SurfaceMesh& mesh, Offset sites)

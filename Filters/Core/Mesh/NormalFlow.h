@@ -1,6 +1,6 @@
 /**
  * @file NormalFlow.h
- * @brief Smooths normals over a given distance, whatever the sizes of the facets.
+ * @brief Smooths normals, or a surface itself, over a distance, whatever the sizes of the facets.
  */
 #ifndef remesh_NormalFlow_h
 #define remesh_NormalFlow_h
@@ -26,6 +26,13 @@ namespace remesh
  */
 void smoothNormalsOver(
   const SurfaceMesh& mesh, double radius, const RunControl& control, std::vector<Point3>& normals);
+
+/**
+ * Where the corners (C) come to if their places flow like that: bends smaller than `radius` are
+ * smoothed away, and ends and thin parts shrink. Of no use when cancelled. Cost as above.
+ */
+std::vector<Point3> smoothPlacesOver(
+  const SurfaceMesh& mesh, double radius, const RunControl& control);
 
 /** The mean spacing of so many points on a surface, sqrt(area / sites). 0 without points. */
 double meanSpacing(const SurfaceMesh& mesh, Offset sites);

@@ -1,0 +1,203 @@
+/**
+ * @file FeatureSteps.cxx
+ *
+ * A surface made of voxels has creases at each of its steps, straight and strong ones, that hang
+ * together everywhere: neither their size nor their shape tells them from those of a machine part.
+ * What does is that up and down cancel: smoothed over the spacing of the points, the surface hardly
+ * moves there, and goes on across them. Pins, fins and thin plates would shrink.
+ */
+#include "Features/FeatureEdges.h"
+
+#include "Mesh/NormalFlow.h"
+#include "Mesh/Normals.h"
+#include "Support/DisjointSets.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesh
+{
+namespace
+{
+// Of the points that the spacing gives:
+constexpr double tooManyBends = 1.0; // for creases to be dropped at all
+constexpr double mostBends = 0.5;    // in the end, if wider smoothing helps
+
+constexpr double leastBend = 0.5; // radians, of a curve at a point of it
+
+// In spacings:
+constexpr double narrowestSmoothing = 0.25;
+constexpr double widestSmoothing = 1.0;
+constexpr double highestStep = 0.3; // by which the surface moves
+
+// Of the length of creases that hang together:
+constexpr double mostHigh = 0.02;
+constexpr double leastGone = 0.5;
+
+/** Points at which features meet, end, or bend. */
+Offset countBends(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const std::vector<FeatureKind>& kinds)
+{
+  std::vector<Index> degree(mesh.points.size(), 0);
+  std::vector<Point3> sum(mesh.points.size(), Point3::Zero()); // of unit vectors away from it
+  std::vector<char> seen(kinds.size(), 0);
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index edge = edges.facetEdges[f][k];
+      if (kinds[edge] == FeatureKind::None || seen[edge])
+      {
+        continue;
+      }
+      seen[edge] = 1;
+      const Index a = mesh.facetPoints[f][k];
+      const Index b = mesh.facetPoints[f][(k + 1) % 3];
+      const Point3 along = (mesh.points[b] - mesh.points[a]).normalized();
+      ++degree[a];
+      ++degree[b];
+      sum[a] += along;
+      sum[b] -= along;
+    }
+  }
+  const double least = 2.0 * std::sin(0.5 * leastBend);
+  Offset bends = 0;
+  for (std::size_t p = 0; p < degree.size(); ++p)
+  {
+    bends += degree[p] != 0 && (degree[p] != 2 || sum[p].norm() > least);
+  }
+  return bends;
+}
+
+/** A surface smoothed over some distance. */
+struct Smoothed
+{
+  double radius;
+  std::vector<Point3> normals; ///< C
+  std::vector<Point3> places;  ///< C
+
+  Smoothed(const SurfaceMesh& mesh, double over, const RunControl& control)
+    : radius(over)
+    , normals(estimateCornerNormals(mesh, 0, control))
+    , places(smoothPlacesOver(mesh, over, control))
+  {
+    smoothNormalsOver(mesh, over, control, this->normals);
+  }
+
+  double moved(const SurfaceMesh& mesh, Index corner) const
+  {
+    return (this->places[corner] - mesh.points[mesh.cornerPoints[corner]]).norm();
+  }
+};
+
+/** The corner of a facet opposite to its edge k. */
+Index opposite(const SurfaceMesh& mesh, Index facet, int k)
+{
+  return mesh.facetCorners[facet][(k + 2) % 3];
+}
+
+/**
+ * By how much smoothed normals turn from one side of an edge to the other, over the distance they
+ * were smoothed over to both sides; radians.
+ */
+double turnAcross(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const Smoothed& smoothed, Index edge)
+{
+  const Index* facets = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+  const Index a = opposite(mesh, facets[0], edges.sideOf(facets[0], edge));
+  const Index b = opposite(mesh, facets[1], edges.sideOf(facets[1], edge));
+  const Point3& from = smoothed.normals[a];
+  const Point3& to = smoothed.normals[b];
+  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+  const double distance =
+    (mesh.points[mesh.cornerPoints[a]] - mesh.points[mesh.cornerPoints[b]]).norm();
+  return angle * std::max(1.0, 2.0 * smoothed.radius / distance);
+}
+
+/** Drops what the smoothing does away with, of creases that hang together and hardly move. */
+Index dropGone(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options,
+  const Smoothed& smoothed, std::vector<FeatureKind>& kinds)
+{
+  struct Crease
+  {
+    Index edge;
+    Index point;
+    double length;
+    bool isGone;
+    bool isHigh;
+  };
+  const double least = options.angleDegrees * EIGEN_PI / 180.0;
+  std::vector<Crease> creases;
+  DisjointSets sets(mesh.points.size());
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    const auto edge = static_cast<Index>(e);
+    if (!mayBeDropped(edges, options, kinds, edge))
+    {
+      continue;
+    }
+    const Index facet = edges.edgeFacets[edges.edgeFacetsBegin[e]];
+    const int k = edges.sideOf(facet, edge);
+    const Index a = mesh.facetCorners[facet][k];
+    const Index b = mesh.facetCorners[facet][(k + 1) % 3];
+    const Index from = mesh.cornerPoints[a];
+    const Index to = mesh.cornerPoints[b];
+    sets.unite(from, to);
+    creases.push_back({ edge, from, (mesh.points[from] - mesh.points[to]).norm(),
+      turnAcross(mesh, edges, smoothed, edge) < least,
+      std::max(smoothed.moved(mesh, a), smoothed.moved(mesh, b)) > highestStep * options.spacing });
+  }
+  std::vector<double> lengths(mesh.points.size(), 0.0);
+  std::vector<double> gone(mesh.points.size(), 0.0);
+  std::vector<double> high(mesh.points.size(), 0.0);
+  for (const Crease& crease : creases)
+  {
+    const Index root = sets.find(crease.point);
+    lengths[root] += crease.length;
+    gone[root] += crease.isGone ? crease.length : 0.0;
+    high[root] += crease.isHigh ? crease.length : 0.0;
+  }
+  Index dropped = 0;
+  for (const Crease& crease : creases)
+  {
+    const Index root = sets.find(crease.point);
+    if (crease.isGone && gone[root] >= leastGone * lengths[root] &&
+      high[root] <= mostHigh * lengths[root])
+    {
+      kinds[crease.edge] = FeatureKind::None;
+      ++dropped;
+    }
+  }
+  return dropped;
+}
+}
+
+Index dropSteps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options,
+  const RunControl& control, FeatureEdges& features)
+{
+  if (!(options.spacing > 0.0))
+  {
+    return 0;
+  }
+  const double points = std::pow(meanSpacing(mesh, 1) / options.spacing, 2.0);
+  const auto bends = [&] { return static_cast<double>(countBends(mesh, edges, features.kinds)); };
+  if (bends() <= tooManyBends * points)
+  {
+    return 0;
+  }
+  Index dropped = 0;
+  for (double width = narrowestSmoothing;
+       width <= widestSmoothing && bends() > mostBends * points && !control.cancelled();
+       width *= 2.0)
+  {
+    const Smoothed smoothed(mesh, width * options.spacing, control);
+    if (!control.cancelled())
+    {
+      dropped += dropGone(mesh, edges, options, smoothed, features.kinds);
+    }
+  }
+  return dropped;
+}
+}
