@@ -99,10 +99,10 @@ public:
    *
    * Features take points of their own, which count among `NumberOfPoints` and do not move; where
    * corners and bends need more than half of them, there is a warning. Curves close to each other
-   * get more, up to nine tenths in all; beyond that where cells reach from one to another and
-   * nothing else mends the topology. Creases that are small against the spacing of the points, or
-   * that zigzag and branch like noise, are not kept; neither are the low steps of voxels where they
-   * bend at more points than are asked for.
+   * get more, up to nine tenths in all; beyond that where cells reach from one to another, the
+   * topology fails, and no other points can be added for it. Creases that are small against the
+   * spacing of the points, or that zigzag and branch like noise, are not kept; neither are the low
+   * steps of voxels where they bend at more points than are asked for.
    *
    * Not with given initial sites.
    */
@@ -137,7 +137,7 @@ public:
   /**
    * By how many points the mesh may exceed `NumberOfPoints` where it cannot have the topology of
    * the surface otherwise: ONE_PERCENT (-2, default) of them, UNLIMITED (-1), or a number; 0
-   * forbids. Where features alone take more than `NumberOfPoints`, these come on top. The field
+   * forbids. Where features alone take more than `NumberOfPoints`, they count from there. The field
    * array `NumberOfExtraPoints` of port 0 tells by how many it does, for whatever reason.
    */
   vtkSetClampMacro(MaximumNumberOfExtraPoints, vtkIdType, ONE_PERCENT, VTK_ID_MAX);

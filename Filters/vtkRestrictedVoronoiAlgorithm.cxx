@@ -197,8 +197,8 @@ std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
   if (extra > std::max(result.sites.count() / remesh::Offset(100), options.maximumExtraPoints))
   {
     warnings.push_back("The mesh has " + std::to_string(extra) +
-      " points more than asked for, as so many cells reach several parts of the surface. More "
-      "points or less anisotropy help.");
+      " points more than asked for, as features take so many, or so many cells "
+      "reach several parts of the surface. More points or less anisotropy help.");
   }
   if (2 * result.neededFeaturePoints > options.numberOfSites)
   {

@@ -114,7 +114,7 @@ struct NumberRun
   }
 
   /** Whether the topology is lost, or takes more points than there may be. */
-  bool failsOtherwise() const
+  bool losesTopologyOrNumber() const
   {
     const RemeshResult& result = this->outcome.result;
     return result.topology.lost() ||
@@ -161,7 +161,7 @@ struct NumberRun
       rest = rest.part(this->filled, 1.0);
       if (!status.ok() || !this->outcome.result.fallsApart)
       {
-        const bool compares = status.ok() && widening > 0 && this->failsOtherwise();
+        const bool compares = status.ok() && widening > 0 && this->losesTopologyOrNumber();
         return compares ? this->compareWithFirst(rest) : status;
       }
     }

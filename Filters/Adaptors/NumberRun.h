@@ -36,9 +36,9 @@ struct NumberOutcome
  * Where normals are noisy and count for much, the surface in R^d has more wrinkles than there are
  * sites: cells fall into many parts. Such a run ends at its first diagram, and another is made with
  * normals smoothed over twice, then four times the radius, as long as the radius is less than the
- * mean spacing in R^d. If the mesh of a manifold cannot be certified in spite of that, the first
- * radius is tried to the end, too, and the better mesh is kept: up to four runs, and at last two
- * surfaces and meshes in memory.
+ * mean spacing in R^d. If the mesh of a manifold cannot be certified in spite of that, or has
+ * more points than it may, the first radius is tried to the end, too, and the better mesh is kept:
+ * up to four runs, and at last two surfaces and meshes in memory.
  *
  * Not where the radius or the passes are chosen, where normals are given, where there are sites to
  * start from or further coordinates, nor without iterations.

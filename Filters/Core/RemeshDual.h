@@ -15,7 +15,7 @@ namespace remesh
  *
  * 1. where cells reach a feature curve, their sites join the curve;
  * 2. where the certificate fails, sites are added, and others taken away (RepairStage); where none
- *    can be, curves that cells of other features reach get places;
+ *    can be, curves that other cells on features reach get places;
  * 3. where the number of vertices is not what was asked for, sites are added or taken away;
  * 4. where triangles are flipped, sites are added, and others taken away.
  *

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace remesh
@@ -57,7 +58,8 @@ void restoreState(Repair& repair, RemeshResult& result)
 
 namespace
 {
-/** Vertices that stay whatever free sites are taken away: on features, and of parts of cells. */
+/** Vertices that are not of free sites: on features, and one more for each further part of a cell.
+ */
 Offset leastVertices(const RemeshResult& result)
 {
   return result.components.count() - (result.sites.count() - result.sites.fixed);
@@ -193,8 +195,10 @@ Index repairCurves(const Task& task, const std::vector<Intrusion>& intrusions,
   {
     const Offset joining = static_cast<Offset>(refinement.removed.size());
     const Offset onCurves = result.featureSites.numberOfPoints() - before;
+    // What is new on curves is no vertex of the diagram yet.
+    const Offset least = leastVertices(result);
     const Offset wanted = task.options.exactNumber
-      ? wantedVertices(task.options, result, repair) - onCurves
+      ? std::max(task.options.numberOfSites - onCurves, least) + repair.counts.extraPoints
       : result.components.count() - joining;
     revise(std::move(refinement), result.topology.certificate, wanted, task, repair, result);
     replaceFixed(result.featureSites, result.sites);
@@ -203,8 +207,8 @@ Index repairCurves(const Task& task, const std::vector<Intrusion>& intrusions,
 }
 
 /**
- * Where cells of sites on features reach another feature and the certificate fails. Elsewhere their
- * triangles with the collar are no harm.
+ * Where cells of sites on features reach another feature, or the same one farther along, and the
+ * certificate fails. Elsewhere their triangles with the collar are no harm.
  */
 std::vector<Intrusion> failingEncroachments(const RemeshResult& result)
 {
@@ -222,10 +226,15 @@ Index repairEncroachments(
   const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   const std::vector<Intrusion> found = failingEncroachments(result);
+  std::set<std::pair<Index, Index>> sections; // each is divided once at most
+  for (const Intrusion& intrusion : found)
+  {
+    sections.emplace(intrusion.curve, intrusion.section);
+  }
   const Offset least = leastVertices(result);
   const Offset asked = task.options.numberOfSites;
   const bool fits = !task.options.exactNumber || least > asked ||
-    least + static_cast<Offset>(found.size()) <= asked;
+    least + static_cast<Offset>(sections.size()) <= asked;
   return fits && !found.empty() ? repairCurves(task, found, control, repair, result) : 0;
 }
 

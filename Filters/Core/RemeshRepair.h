@@ -47,7 +47,8 @@ enum class RepairStage
 /**
  * How many vertices there are too many or too few, whether the certificate fails, how many vertices
  * more than asked for features and parts of cells take, and how many failures and flipped triangles
- * there are; lower is better.
+ * there are; lower is better. The number goes before the failures: as long as there are any, more
+ * points that do not mend all of them are of no use.
  */
 using Score = std::tuple<Offset, bool, Offset, Offset>;
 

@@ -195,6 +195,11 @@ private:
     Intrusion intrusion{ collar.curve, 0, site, m_components.ofPiece[piece], {}, 0.0 };
     const double foot = this->footOf(site, begin, end, intrusion.squared);
     intrusion.foot = { collar.segment, m_forward ? foot : 1.0 - foot };
+    const std::vector<Index>& segments = m_features.curves[collar.curve].edges;
+    if (intrusion.foot.t >= 1.0 && collar.segment + 1 < static_cast<Index>(segments.size()))
+    {
+      intrusion.foot = { collar.segment + 1, 0.0 };
+    }
     const std::vector<Station>& stations = m_stations[collar.curve];
     const auto after = std::upper_bound(stations.begin(), stations.end(), intrusion.foot);
     intrusion.section = std::clamp(static_cast<Index>(after - stations.begin()) - 1, Index(0),
@@ -230,7 +235,8 @@ private:
       along += (x[c] - p[c]) * (q[c] - p[c]);
       length2 += (q[c] - p[c]) * (q[c] - p[c]);
     }
-    const double t = std::clamp(length2 > 0.0 ? along / length2 : 0.5, begin, end);
+    // Ends that are rounded each on their own can lie the wrong way round.
+    const double t = std::min(std::max(length2 > 0.0 ? along / length2 : 0.5, begin), end);
     squared = 0.0;
     for (int c = 0; c < d; ++c)
     {
@@ -324,10 +330,11 @@ void addSegments(const Features& features, const FeatureSites& sites, Seams& sea
 
 namespace
 {
-/** Of the stretches of one site in one section, the one nearest to the site. */
+/** Of the stretches of one component in one section, the one nearest to its site. */
 void keepNearest(std::vector<Intrusion>& intrusions)
 {
-  const auto key = [](const Intrusion& i) { return std::make_tuple(i.curve, i.section, i.site); };
+  const auto key = [](const Intrusion& i)
+  { return std::make_tuple(i.curve, i.section, i.component); };
   std::stable_sort(intrusions.begin(), intrusions.end(),
     [&](const Intrusion& a, const Intrusion& b)
     { return key(a) != key(b) ? key(a) < key(b) : a.squared < b.squared; });

@@ -10,8 +10,8 @@
  * patch's own dual lacks. So the mesh is closed along each feature by construction, and each
  * stretch of a curve between two sites is an edge of it.
  *
- * Along creases that end within a patch the surface is not cut and nothing is sewn: cells of free
- * sites that come between are only noted, for the curve to be refined.
+ * Along creases that end within a patch the surface is not cut and nothing is sewn: cells that
+ * come between are only noted, for the curve to be refined.
  */
 #ifndef remesh_Collar_h
 #define remesh_Collar_h
@@ -59,7 +59,7 @@ struct Seams
   std::vector<Index> components;        ///< of each feature point, or noIndex where it has no cell
   std::vector<FeatureSegment> segments; ///< of all curves, in their order
   std::vector<Triple> triangles;        ///< of components, oriented as their facet
-  std::vector<Intrusion> intrusions;    ///< of free sites, by curve, section and site; each once
+  std::vector<Intrusion> intrusions;    ///< of free sites, by curve, section, component; each once
   std::vector<Intrusion> encroachments; ///< of sites on features, in the same order
   std::vector<CollarShape> collars;     ///< of each feature point
   std::vector<Contact> contacts;        ///< edge by edge

@@ -12,7 +12,7 @@ namespace remesh
 /**
  * A site whose cell reaches a curve between two of the curve's sites shows that the curve is too
  * coarse there: the curve gets a place at the point nearest to it. A free site is to go for it, so
- * that the number of vertices stays; one on another feature is not. Each section is divided once at
+ * that the number of vertices stays; one on a feature is not. Each section is divided once at
  * most, where it can be by the cell nearest to its middle.
  *
  * Then the curves are kept apart again (see separateCurves); no free site goes for these places.

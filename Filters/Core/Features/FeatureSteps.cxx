@@ -118,8 +118,9 @@ double turnAcross(
 
 /** Drops what the smoothing does away with, of creases that hang together and hardly move. */
 Index dropGone(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options,
-  const Smoothed& smoothed, std::vector<FeatureKind>& kinds)
+  const Smoothed& smoothed, FeatureEdges& features)
 {
+  std::vector<FeatureKind>& kinds = features.kinds;
   struct Crease
   {
     Index edge;
@@ -167,6 +168,7 @@ Index dropGone(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOpt
       high[root] <= mostHigh * lengths[root])
     {
       kinds[crease.edge] = FeatureKind::None;
+      features.angles[crease.edge] = 0.0F; // no gap is bridged along it
       ++dropped;
     }
   }
@@ -183,19 +185,16 @@ Index dropSteps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOp
   }
   const double points = std::pow(meanSpacing(mesh, 1) / options.spacing, 2.0);
   const auto bends = [&] { return static_cast<double>(countBends(mesh, edges, features.kinds)); };
-  if (bends() <= tooManyBends * points)
-  {
-    return 0;
-  }
   Index dropped = 0;
+  double most = tooManyBends * points;
   for (double width = narrowestSmoothing;
-       width <= widestSmoothing && bends() > mostBends * points && !control.cancelled();
-       width *= 2.0)
+       width <= widestSmoothing && bends() > most && !control.cancelled(); width *= 2.0)
   {
+    most = mostBends * points;
     const Smoothed smoothed(mesh, width * options.spacing, control);
     if (!control.cancelled())
     {
-      dropped += dropGone(mesh, edges, options, smoothed, features.kinds);
+      dropped += dropGone(mesh, edges, options, smoothed, features);
     }
   }
   return dropped;

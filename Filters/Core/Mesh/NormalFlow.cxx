@@ -6,10 +6,10 @@
  *    and their conjugates", 1993). A cotangent counts between 0 and that of a sliver, so that each
  *    new normal is a mean of old ones with weights that are not negative, and slivers stiffen
  *    nothing.
- * 2. A few implicit steps (M + t L) n' = M n, normalised after each: the time is not bound to the
- *    facets' sizes as that of averaging is. Heat spreads over sqrt(4 t) in time t.
- * 3. Each step by conjugate gradients with Jacobi's preconditioner, to two digits: normals
- *    need no more.
+ * 2. A few implicit steps (M + t L) n' = M n, normals normalised after each: the time is not
+ *    bound to the facets' sizes as that of averaging is. Heat spreads over sqrt(4 t) in time t.
+ * 3. Each step by conjugate gradients with Jacobi's preconditioner, to two digits: more
+ *    is of no use.
  */
 #include "Mesh/NormalFlow.h"
 
@@ -192,15 +192,15 @@ bool buildMatrix(const SurfaceMesh& mesh, double radius, double time, const RunC
   return mergeEntries(begins, entries, control, matrix);
 }
 
-/** Lets a field flow; `accept(smoothed, field)` takes over each step. False when cancelled. */
+/** Lets a field flow; `accept(smoothed, field)` takes over each step. Ends early when cancelled. */
 template <class Accept>
-bool flow(const SurfaceMesh& mesh, double radius, const RunControl& control, VectorField& field,
+void flow(const SurfaceMesh& mesh, double radius, const RunControl& control, VectorField& field,
   const Accept& accept)
 {
   FlowMatrix matrix;
   if (!buildMatrix(mesh, radius, 0.25 / numberOfSteps, control.silent(), matrix))
   {
-    return false;
+    return;
   }
   ConjugateGradientsLimits limits;
   limits.reduction = wantedReduction;
@@ -220,12 +220,11 @@ bool flow(const SurfaceMesh& mesh, double radius, const RunControl& control, Vec
       });
     if (!started || !solveConjugateGradients(matrix, limits, control, residual, smoothed))
     {
-      return false;
+      return;
     }
     accept(smoothed, field);
     control.report((step + 1.0) / numberOfSteps);
   }
-  return true;
 }
 }
 
@@ -254,6 +253,7 @@ std::vector<Point3> smoothPlacesOver(
   const SurfaceMesh& mesh, double radius, const RunControl& control)
 {
   std::vector<Point3> places;
+  places.reserve(mesh.cornerPoints.size());
   for (const Index point : mesh.cornerPoints)
   {
     places.push_back(mesh.points[point]);

@@ -29,7 +29,8 @@ void smoothNormalsOver(
 
 /**
  * Where the corners (C) come to if their places flow like that: bends smaller than `radius` are
- * smoothed away, and ends and thin parts shrink. Of no use when cancelled. Cost as above.
+ * smoothed away, and ends and thin parts shrink. The sides of a cut come apart. Of no use when
+ * cancelled. Cost as above.
  */
 std::vector<Point3> smoothPlacesOver(
   const SurfaceMesh& mesh, double radius, const RunControl& control);
