@@ -4,6 +4,8 @@
 #include "Support/Random.h"
 #include "TestTriangles.h"
 
+#include <set>
+
 using namespace remesh;
 using namespace remesh::test;
 
@@ -34,6 +36,23 @@ void testAgainstAll(const TriangleSoup& soup)
     CHECK_EQUAL(place.at.squared, *std::min_element(all.begin(), all.end()));
     CHECK_EQUAL(all[tree.triangleOf(place.slot)], place.at.squared);
     CHECK_NEAR((tree.positionOf(place) - point).squaredNorm(), place.at.squared, 1e-12);
+
+    const double reach = 1.1 * std::sqrt(place.at.squared) + 0.02;
+    std::vector<TriangleTree::Place> closest;
+    for (const Index from : { noIndex, hint, Index(0) })
+    {
+      tree.findClosest(point, { 0.1, 0.02 }, from, closest);
+      std::set<Index> slots;
+      for (const TriangleTree::Place& one : closest)
+      {
+        CHECK_EQUAL(all[tree.triangleOf(one.slot)], one.at.squared);
+        slots.insert(one.slot);
+      }
+      CHECK_EQUAL(slots.size(), closest.size());
+      CHECK_EQUAL(closest.size(),
+        static_cast<std::size_t>(
+          std::count_if(all.begin(), all.end(), [&](double d) { return d <= reach * reach; })));
+    }
 
     std::size_t visited = 0;
     tree.visitWithin(point, std::numeric_limits<double>::infinity(),

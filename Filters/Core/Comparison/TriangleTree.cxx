@@ -35,6 +35,7 @@ TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
     return;
   }
   const std::vector<Index> order = orderAlongHilbertCurve(centroids, control.silent());
+  centroids = std::vector<Point3>(); // makes room for the corners
   m_ids.resize(kept.size());
   m_corners.resize(kept.size());
   const auto size = static_cast<Offset>(kept.size());
@@ -99,6 +100,43 @@ TriangleTree::Place TriangleTree::closestOn(Index slot, const Point3& point) con
 {
   const auto& [a, b, c] = m_corners[slot];
   return { slot, closestOnTriangle(point, a, b, c) };
+}
+
+void TriangleTree::findClosest(
+  const Point3& point, const Tolerance& tolerance, Index hint, std::vector<Place>& places) const
+{
+  places.clear();
+  double best = std::numeric_limits<double>::infinity();
+  double reach = best;
+  const auto show = [&](const Place& place)
+  {
+    if (place.at.squared < best)
+    {
+      best = place.at.squared;
+      const double radius = (1.0 + tolerance.relative) * std::sqrt(best) + tolerance.absolute;
+      reach = radius * radius;
+    }
+    if (place.at.squared <= reach)
+    {
+      places.push_back(place);
+    }
+  };
+  if (hint != noIndex && !this->empty())
+  {
+    show(this->closestOn(hint, point));
+  }
+  this->visitLeaves(
+    point, [&](double squared) { return squared <= reach; },
+    [&](Index slot)
+    {
+      if (slot != hint)
+      {
+        show(this->closestOn(slot, point));
+      }
+    });
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](const Place& place) { return place.at.squared > reach; }),
+    places.end());
 }
 
 TriangleTree::Place TriangleTree::closest(const Point3& point, Index hint) const

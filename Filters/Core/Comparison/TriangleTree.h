@@ -64,6 +64,22 @@ public:
    */
   Place closest(const Point3& point, Index hint = noIndex) const;
 
+  /** Of distances: what counts as equally close. */
+  struct Tolerance
+  {
+    double relative; ///< of the least distance
+    double absolute; ///< in the unit of the points
+  };
+
+  /**
+   * The closest places of all triangles that are as close as the closest one, in no particular
+   * order.
+   *
+   * @param hint as for `closest`. Cost: that of `closest`.
+   */
+  void findClosest(
+    const Point3& point, const Tolerance& tolerance, Index hint, std::vector<Place>& places) const;
+
   /** Calls `visit(Place)` for each triangle no further than the root of `squaredRadius`. */
   template <class Visit>
   void visitWithin(const Point3& point, double squaredRadius, const Visit& visit) const;

@@ -1,14 +1,17 @@
 #include "Placement/Placement.h"
 
 #include "Mesh/Extent.h"
+#include "Mesh/FacetGeometry.h"
 #include "Placement/Quadric.h"
 #include "Placement/Retreat.h"
 #include "Placement/StepLimit.h"
 #include "Placement/SurfaceFit.h"
+#include "Placement/TriangleShape.h"
 #include "Support/Parallel.h"
 #include "Support/SortUnique.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace remesh
@@ -211,6 +214,31 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   return status;
 }
 
+/** Whether a triangle faces against one of the surface's facets that are closest to it. */
+Status findAnyStray(const PlacementProblem& problem, const WholeSurface& whole,
+  const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
+  const RunControl& control, bool& found)
+{
+  std::atomic<bool> any = false;
+  const bool done =
+    forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control,
+      [&](Offset begin, Offset end)
+      {
+        for (Offset t = begin; t < end && !any; ++t)
+        {
+          const auto [a, b, c] = cornersOf(triangles[t], positions);
+          const Offset piece = problem.components.pieceBegin[triangles[t][0]];
+          const Index nearby = problem.diagram.facets[problem.components.pieces[piece]];
+          if (whole.leastCosine((a + b + c) / 3.0, facetNormal(a, b, c), nearby) < 0.0)
+          {
+            any = true;
+          }
+        }
+      });
+  found = any;
+  return done ? Status::success() : Status::cancelled();
+}
+
 /**
  * Turns back what faces its own cells' facets, but not those of another part of the surface that
  * are closer, if they are few. Keeps nothing by which more triangles are flipped than before.
@@ -220,10 +248,17 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
 {
   const WholeSurface whole(problem.mesh, control);
+  bool found = false;
+  Status status =
+    findAnyStray(problem, whole, triangles, placement.positions, control.silent(), found);
+  if (!status.ok() || !found)
+  {
+    return status;
+  }
   const NearbySurface surface(problem, leastHeight(problem.mesh), &whole);
   FlipSearch search(surface);
   std::vector<Index> strays;
-  Status status = search.find(triangles, placement.positions, control, strays);
+  status = search.find(triangles, placement.positions, control, strays);
   const auto before = static_cast<Offset>(strays.size());
   if (!status.ok() || before == placement.repair.flippedTriangles ||
     before > mostStrays(static_cast<Offset>(triangles.size())))

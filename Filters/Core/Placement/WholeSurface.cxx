@@ -4,7 +4,7 @@
 #include "Mesh/FacetGeometry.h"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace remesh
 {
@@ -27,15 +27,15 @@ WholeSurface::WholeSurface(const SurfaceMesh& mesh, const RunControl& control)
 
 double WholeSurface::leastCosine(const Point3& place, const Point3& vector, Index facet) const
 {
-  const TriangleTree::Place closest = m_tree.closest(place, m_slots[facet]);
-  const double radius = (1.0 + asClose) * std::sqrt(closest.at.squared) + m_rounding;
+  std::vector<TriangleTree::Place> closest;
+  closest.reserve(8);
+  m_tree.findClosest(place, { asClose, m_rounding }, m_slots[facet], closest);
   double least = 1.0;
-  m_tree.visitWithin(place, radius * radius,
-    [&](const TriangleTree::Place& near)
-    {
-      const auto& [a, b, c] = m_tree.cornersOf(near.slot);
-      least = std::min(least, vector.dot(facetNormal(a, b, c)));
-    });
+  for (const TriangleTree::Place& near : closest)
+  {
+    const auto& [a, b, c] = m_tree.cornersOf(near.slot);
+    least = std::min(least, vector.dot(facetNormal(a, b, c)));
+  }
   return least;
 }
 }
