@@ -106,6 +106,7 @@ std::vector<Index> failingComponents(const Certificate& certificate)
   return failing;
 }
 
+/** Of these cells together. */
 double failingMass(const RemeshResult& result)
 {
   const std::vector<Index> failing = failingComponents(result.topology.certificate);

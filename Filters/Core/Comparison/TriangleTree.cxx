@@ -4,6 +4,8 @@
 #include "Mesh/SpatialOrder.h"
 #include "Support/Grouping.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace remesh

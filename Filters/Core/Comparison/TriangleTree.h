@@ -72,10 +72,12 @@ public:
   };
 
   /**
-   * The closest places of all triangles that are as close as the closest one, in no particular
-   * order.
+   * The place on each triangle that is as close as the closest one: no further than
+   * (1 + relative) of its distance + absolute.
    *
-   * @param hint as for `closest`. Cost: that of `closest`.
+   * @param hint as for `closest`.
+   * @param places in no particular order; empty if the tree is. Replaced.
+   * Cost: that of `closest`, and of the places.
    */
   void findClosest(
     const Point3& point, const Tolerance& tolerance, Index hint, std::vector<Place>& places) const;
