@@ -22,7 +22,7 @@ namespace remesh
  * The first changes are followed by a few steps of Lloyd's around them; later ones change nothing
  * but what they must. If there were such, the sites around them, but for those added and their
  * neighbours, take a few steps in the end, as far as the certificate holds and no more triangles
- * are flipped. The state with the best score (RemeshRepair.h) counts.
+ * are flipped. The state with the best score (RepairState.h) counts.
  *
  * @param othersStay from the first change on, nothing changes but what must.
  * @param result its sites are given, and change.

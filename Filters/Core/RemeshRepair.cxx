@@ -2,11 +2,9 @@
 
 #include "Delaunay/FeatureRepair.h"
 #include "Delaunay/TopologyRepair.h"
-#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -16,8 +14,6 @@ namespace
 {
 constexpr int mostRepairs = 32;      // in each stage
 constexpr int mostIdleRepairs = 8;   // since one that came nearer than all before
-constexpr double shrinking = 0.9;    // of the failing cells' mass, too, is to come nearer
-constexpr double fewFailures = 0.03; // of the vertices, with parts of cells, for that
 constexpr int settledRepairs = 2;    // later ones change nothing but what they must
 constexpr int roundsBetweenCuts = 4; // of tips
 constexpr double mostFailures = 0.1; // of the vertices; with more, there is no use in going on
@@ -29,123 +25,6 @@ constexpr int settledAdjustments = 4; // later ones change nothing but what they
 constexpr int mostFlipRounds = 8;     // in which sites go to flipped triangles
 constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges if these mend them
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
-}
-
-SharedSites shareSites(const RemeshResult& result, Repair& repair)
-{
-  const SharedSites& last = repair.atHand;
-  if (!last || last->fixed != result.sites.fixed || last->coordinates != result.sites.coordinates)
-  {
-    repair.atHand = std::make_shared<const Sites>(result.sites);
-  }
-  return repair.atHand;
-}
-
-void keepState(const RemeshResult& result, Repair& repair)
-{
-  repair.best = { shareSites(result, repair), result.stations, result.featureSites, repair.settled,
-    repair.counts };
-}
-
-void restoreState(Repair& repair, RemeshResult& result)
-{
-  result.sites = *repair.best.sites;
-  result.stations = repair.best.stations;
-  result.featureSites = repair.best.featureSites;
-  repair.settled = repair.best.settled;
-  repair.counts = repair.best.counts;
-}
-
-namespace
-{
-/** Vertices that are not of free sites: on features, and one more for each further part of a cell.
- */
-Offset leastVertices(const RemeshResult& result)
-{
-  return result.components.count() - (result.sites.count() - result.sites.fixed);
-}
-
-/** As many as there shall be: those asked for if they can be reached, and those added beyond. */
-Offset wantedVertices(
-  const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
-{
-  return options.exactNumber
-    ? std::max(options.numberOfSites, leastVertices(result)) + repair.counts.extraPoints
-    : result.components.count();
-}
-}
-
-Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
-{
-  const Offset beyond = result.components.count() - options.numberOfSites;
-  const Offset tooMany = result.components.count() - wantedVertices(options, result, repair);
-  const Certificate& certificate = result.topology.certificate;
-  return {
-    options.exactNumber ? std::max({ Offset(0), -beyond, tooMany }) : 0,
-    !certificate.holds(),
-    options.exactNumber ? std::max(Offset(0), beyond - repair.counts.extraPoints) : 0,
-    certificate.violations() + repair.counts.flips,
-  };
-}
-
-namespace
-{
-/** Where the certificate fails; ascending. */
-std::vector<Index> failingComponents(const Certificate& certificate)
-{
-  std::vector<Index> failing = certificate.cells;
-  for (const auto& [a, b] : certificate.edges)
-  {
-    failing.insert(failing.end(), { a, b });
-  }
-  for (const Triple& vertex : certificate.vertices)
-  {
-    failing.insert(failing.end(), vertex.begin(), vertex.end());
-  }
-  sortUnique(failing);
-  return failing;
-}
-
-/** Of these cells together. */
-double failingMass(const RemeshResult& result)
-{
-  const std::vector<Index> failing = failingComponents(result.topology.certificate);
-  return std::accumulate(failing.begin(), failing.end(), 0.0,
-    [&](double sum, Index component) { return sum + result.components.mass[component]; });
-}
-
-/**
- * Whether the failures have become fewer than ever, or, at first and where they are few, are closed
- * in on: a handle far smaller than the cells takes many sites before it is seen.
- */
-bool comesNearer(const RemeshResult& result, Repair& repair)
-{
-  const Offset failures = result.topology.certificate.violations();
-  const bool areFewer = failures < repair.fewestFailures;
-  repair.fewestFailures = std::min(repair.fewestFailures, failures);
-  const Offset parts = result.components.count() - result.numberOfVertexSites();
-  const bool areFew = static_cast<double>(failures + parts) <=
-    fewFailures * static_cast<double>(result.components.count());
-  if (repair.stage != RepairStage::Refine || !areFew)
-  {
-    return areFewer;
-  }
-  const double mass = failingMass(result);
-  const bool shrink = mass < shrinking * repair.failingMass;
-  repair.failingMass = areFewer || shrink ? mass : repair.failingMass;
-  return areFewer || shrink;
-}
-
-/** Keeps the state if it is the best so far. */
-void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
-{
-  repair.idleRounds = comesNearer(result, repair) ? 0 : repair.idleRounds + 1;
-  if (const Score score = scoreOf(options, result, repair); score < repair.scoreOfBest)
-  {
-    repair.scoreOfBest = score;
-    keepState(result, repair);
-  }
-}
 
 /** Adds these sites, and others or none, so that the mesh has as many vertices as wanted. */
 Index revise(Refinement refinement, const Certificate& failures, Offset wanted, const Task& task,
@@ -222,7 +101,10 @@ std::vector<Intrusion> failingEncroachments(const RemeshResult& result)
   return found;
 }
 
-/** Places on curves there, if that does not take more vertices than asked for, or they all do. */
+/**
+ * Places on curves there, if that does not take more vertices than asked for and those that may be
+ * added by now, or if they all do.
+ */
 Index repairEncroachments(
   const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
@@ -234,9 +116,39 @@ Index repairEncroachments(
   }
   const Offset least = leastVertices(result);
   const Offset asked = task.options.numberOfSites;
+  const Offset extra = repair.stage == RepairStage::BeyondNumber
+    ? task.options.maximumExtraPoints - repair.counts.extraPoints
+    : 0;
   const bool fits = !task.options.exactNumber || least > asked ||
-    least + static_cast<Offset>(sections.size()) <= asked;
+    least + static_cast<Offset>(sections.size()) <= asked + extra;
   return fits && !found.empty() ? repairCurves(task, found, control, repair, result) : 0;
+}
+
+bool stageEnds(const Repair& repair)
+{
+  return repair.flipRounds > 0
+    ? repair.rounds >= mostRepairsOfFlips
+    : repair.rounds >= mostRepairs || repair.idleRounds > mostIdleRepairs;
+}
+
+/**
+ * The next stage begins with the best state.
+ *
+ * @return whether that is another than the one at hand.
+ */
+bool enterNextStage(const Task& task, Repair& repair, RemeshResult& result)
+{
+  const bool wasForFlips = repair.flipRounds > 0;
+  repair.stage = wasForFlips ? RepairStage::GivenUp : nextStage(task, repair, result);
+  repair.flipRounds = wasForFlips ? mostFlipRounds : 0;
+  repair.rounds = 0;
+  repair.idleRounds = 0;
+  if (!wasForFlips && scoreOf(task.options, result, repair) < repair.scoreOfBest)
+  {
+    return false;
+  }
+  restoreState(repair, result);
+  return true;
 }
 
 /** Sites for where the certificate fails. */
@@ -247,24 +159,9 @@ Index repairTopology(
   {
     return 0;
   }
-  if (repair.flipRounds > 0 && repair.rounds >= mostRepairsOfFlips)
+  if (stageEnds(repair))
   {
-    repair.flipRounds = mostFlipRounds;
-    repair.stage = RepairStage::GivenUp;
-    restoreState(repair, result);
-    return 1;
-  }
-  if (repair.rounds >= mostRepairs || repair.idleRounds > mostIdleRepairs)
-  {
-    repair.stage = nextStage(task, repair, result);
-    repair.rounds = 0;
-    repair.idleRounds = 0;
-    if (scoreOf(task.options, result, repair) < repair.scoreOfBest)
-    {
-      return repairTopology(task, control, repair, result);
-    }
-    restoreState(repair, result);
-    return 1;
+    return enterNextStage(task, repair, result) ? 1 : repairTopology(task, control, repair, result);
   }
   const bool cutTips =
     repair.stage == RepairStage::CutTips && repair.rounds % roundsBetweenCuts == 0;

@@ -6,6 +6,7 @@
  * few edges. Where it does both at almost every point, it is noise however far it reaches, and
  * whatever borders it meets.
  */
+#include "Features/CreaseGraph.h"
 #include "Features/FeatureEdges.h"
 
 #include "Support/DisjointSets.h"
@@ -13,7 +14,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace remesh
 {
@@ -40,78 +40,6 @@ constexpr double noisyTurn = 0.7;
 constexpr double noisyPerEdge = 0.2; // points where not just two features meet
 constexpr Index fewestNoisyTurns = 20;
 
-/** The droppable edges and what meets at the points. */
-struct CreaseGraph
-{
-  const SurfaceMesh& mesh;
-  std::vector<std::array<Index, 2>> ends; ///< E, points of each edge
-  std::vector<char> droppable;            ///< E
-  std::vector<Offset> begin;              ///< V + 1, into `around`
-  std::vector<Index> around;              ///< feature edges at each point, ascending
-
-  Index degree(Index point) const
-  {
-    return static_cast<Index>(this->begin[point + 1] - this->begin[point]);
-  }
-  double length(Index edge) const
-  {
-    return (this->mesh.points[this->ends[edge][0]] - this->mesh.points[this->ends[edge][1]]).norm();
-  }
-  Index other(Index edge, Index point) const
-  {
-    return this->ends[edge][this->ends[edge][0] == point ? 1 : 0];
-  }
-};
-
-void listEdgesAroundPoints(const std::vector<FeatureKind>& kinds, CreaseGraph& graph)
-{
-  graph.begin.assign(graph.mesh.points.size() + 1, 0);
-  for (std::size_t e = 0; e < kinds.size(); ++e)
-  {
-    if (kinds[e] != FeatureKind::None)
-    {
-      ++graph.begin[graph.ends[e][0] + 1];
-      ++graph.begin[graph.ends[e][1] + 1];
-    }
-  }
-  for (std::size_t p = 1; p < graph.begin.size(); ++p)
-  {
-    graph.begin[p] += graph.begin[p - 1];
-  }
-  graph.around.resize(static_cast<std::size_t>(graph.begin.back()));
-  std::vector<Offset> next(graph.begin.begin(), graph.begin.end() - 1);
-  for (std::size_t e = 0; e < kinds.size(); ++e)
-  {
-    if (kinds[e] != FeatureKind::None)
-    {
-      graph.around[next[graph.ends[e][0]]++] = static_cast<Index>(e);
-      graph.around[next[graph.ends[e][1]]++] = static_cast<Index>(e);
-    }
-  }
-}
-
-CreaseGraph makeGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
-  const FeatureOptions& options, const std::vector<FeatureKind>& kinds)
-{
-  CreaseGraph graph{ mesh, {}, {}, {}, {} };
-  graph.ends.resize(kinds.size());
-  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      graph.ends[edges.facetEdges[f][k]] = { mesh.facetPoints[f][k],
-        mesh.facetPoints[f][(k + 1) % 3] };
-    }
-  }
-  graph.droppable.assign(kinds.size(), 0);
-  for (std::size_t e = 0; e < kinds.size(); ++e)
-  {
-    graph.droppable[e] = mayBeDropped(edges, options, kinds, static_cast<Index>(e));
-  }
-  listEdgesAroundPoints(kinds, graph);
-  return graph;
-}
-
 /** What is known of one connected set of droppable edges. */
 struct Cluster
 {
@@ -124,16 +52,6 @@ struct Cluster
   double strength = 0.0; ///< sum of length times the angle between the facets
   bool attached = false; ///< meets an edge that must stay
 };
-
-double turnAt(const CreaseGraph& graph, Index point)
-{
-  const Index a = graph.around[graph.begin[point]];
-  const Index b = graph.around[graph.begin[point] + 1];
-  const Point3& at = graph.mesh.points[point];
-  const Point3 in = at - graph.mesh.points[graph.other(a, point)];
-  const Point3 out = graph.mesh.points[graph.other(b, point)] - at;
-  return std::atan2(in.cross(out).norm(), in.dot(out));
-}
 
 bool isNoise(const Cluster& cluster, double spacing)
 {
@@ -200,7 +118,7 @@ std::vector<Cluster> measureClusters(
     if (graph.degree(p) == 2)
     {
       ++cluster.turns;
-      cluster.turning += turnAt(graph, p);
+      cluster.turning += graph.turn(p);
     }
     for (Offset i = graph.begin[p]; i < graph.begin[p + 1]; ++i)
     {
@@ -271,9 +189,9 @@ Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
   {
     return 0;
   }
-  CreaseGraph graph = makeGraph(mesh, edges, options, kinds);
+  CreaseGraph graph = makeCreaseGraph(mesh, edges, options, kinds);
   Index dropped = dropSpurs(graph, leastSpur * options.spacing, kinds);
-  listEdgesAroundPoints(kinds, graph);
+  graph.listAround(kinds);
   DisjointSets sets(mesh.points.size());
   const std::vector<Cluster> clusters = measureClusters(graph, features.angles, sets);
   for (std::size_t e = 0; e < kinds.size(); ++e)

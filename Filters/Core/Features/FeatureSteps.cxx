@@ -6,6 +6,7 @@
  * What does is that up and down cancel: smoothed over the spacing of the points, the surface hardly
  * moves there, and goes on across them. Pins, fins and thin plates would shrink.
  */
+#include "Features/CreaseGraph.h"
 #include "Features/FeatureEdges.h"
 
 #include "Mesh/NormalFlow.h"
@@ -37,36 +38,13 @@ constexpr double mostHigh = 0.02;
 constexpr double leastGone = 0.5;
 
 /** Points at which features meet, end, or bend. */
-Offset countBends(
-  const SurfaceMesh& mesh, const EdgeTable& edges, const std::vector<FeatureKind>& kinds)
+Offset countBends(const CreaseGraph& graph)
 {
-  std::vector<Index> degree(mesh.points.size(), 0);
-  std::vector<Point3> sum(mesh.points.size(), Point3::Zero()); // of unit vectors away from it
-  std::vector<char> seen(kinds.size(), 0);
-  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index edge = edges.facetEdges[f][k];
-      if (kinds[edge] == FeatureKind::None || seen[edge])
-      {
-        continue;
-      }
-      seen[edge] = 1;
-      const Index a = mesh.facetPoints[f][k];
-      const Index b = mesh.facetPoints[f][(k + 1) % 3];
-      const Point3 along = (mesh.points[b] - mesh.points[a]).normalized();
-      ++degree[a];
-      ++degree[b];
-      sum[a] += along;
-      sum[b] -= along;
-    }
-  }
-  const double least = 2.0 * std::sin(0.5 * leastBend);
   Offset bends = 0;
-  for (std::size_t p = 0; p < degree.size(); ++p)
+  for (Index p = 0; p < graph.mesh.numberOfPoints(); ++p)
   {
-    bends += degree[p] != 0 && (degree[p] != 2 || sum[p].norm() > least);
+    const Index degree = graph.degree(p);
+    bends += degree == 2 ? graph.turn(p) > leastBend : degree > 0;
   }
   return bends;
 }
@@ -116,54 +94,63 @@ double turnAcross(
   return angle * std::max(1.0, 2.0 * smoothed.radius / distance);
 }
 
-/** Drops what the smoothing does away with, of creases that hang together and hardly move. */
-Index dropGone(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options,
-  const Smoothed& smoothed, FeatureEdges& features)
+/** What smoothing does to a crease. */
+struct Smoothing
 {
-  std::vector<FeatureKind>& kinds = features.kinds;
-  struct Crease
-  {
-    Index edge;
-    Index point;
-    double length;
-    bool isGone;
-    bool isHigh;
-  };
+  Index edge;
+  bool isGone;
+  bool isHigh; ///< the surface moves far there
+};
+
+/** Of all that may be dropped; `sets` joins the points of those that hang together. */
+std::vector<Smoothing> smoothCreases(const CreaseGraph& graph, const EdgeTable& edges,
+  const FeatureOptions& options, const Smoothed& smoothed, const std::vector<FeatureKind>& kinds,
+  DisjointSets& sets)
+{
+  const SurfaceMesh& mesh = graph.mesh;
   const double least = options.angleDegrees * EIGEN_PI / 180.0;
-  std::vector<Crease> creases;
-  DisjointSets sets(mesh.points.size());
+  std::vector<Smoothing> creases;
   for (std::size_t e = 0; e < kinds.size(); ++e)
   {
     const auto edge = static_cast<Index>(e);
-    if (!mayBeDropped(edges, options, kinds, edge))
+    if (kinds[e] == FeatureKind::None || !graph.droppable[e])
     {
       continue;
     }
     const Index facet = edges.edgeFacets[edges.edgeFacetsBegin[e]];
     const int k = edges.sideOf(facet, edge);
-    const Index a = mesh.facetCorners[facet][k];
-    const Index b = mesh.facetCorners[facet][(k + 1) % 3];
-    const Index from = mesh.cornerPoints[a];
-    const Index to = mesh.cornerPoints[b];
-    sets.unite(from, to);
-    creases.push_back({ edge, from, (mesh.points[from] - mesh.points[to]).norm(),
-      turnAcross(mesh, edges, smoothed, edge) < least,
-      std::max(smoothed.moved(mesh, a), smoothed.moved(mesh, b)) > highestStep * options.spacing });
+    const double moved = std::max(smoothed.moved(mesh, mesh.facetCorners[facet][k]),
+      smoothed.moved(mesh, mesh.facetCorners[facet][(k + 1) % 3]));
+    sets.unite(graph.ends[e][0], graph.ends[e][1]);
+    creases.push_back({ edge, turnAcross(mesh, edges, smoothed, edge) < least,
+      moved > highestStep * options.spacing });
   }
-  std::vector<double> lengths(mesh.points.size(), 0.0);
-  std::vector<double> gone(mesh.points.size(), 0.0);
-  std::vector<double> high(mesh.points.size(), 0.0);
-  for (const Crease& crease : creases)
+  return creases;
+}
+
+/** Drops what the smoothing does away with, of creases that hang together and hardly move. */
+Index dropGone(const CreaseGraph& graph, const EdgeTable& edges, const FeatureOptions& options,
+  const Smoothed& smoothed, FeatureEdges& features)
+{
+  std::vector<FeatureKind>& kinds = features.kinds;
+  DisjointSets sets(graph.mesh.points.size());
+  const std::vector<Smoothing> creases =
+    smoothCreases(graph, edges, options, smoothed, kinds, sets);
+  std::vector<double> lengths(graph.mesh.points.size(), 0.0);
+  std::vector<double> gone(graph.mesh.points.size(), 0.0);
+  std::vector<double> high(graph.mesh.points.size(), 0.0);
+  for (const Smoothing& crease : creases)
   {
-    const Index root = sets.find(crease.point);
-    lengths[root] += crease.length;
-    gone[root] += crease.isGone ? crease.length : 0.0;
-    high[root] += crease.isHigh ? crease.length : 0.0;
+    const Index root = sets.find(graph.ends[crease.edge][0]);
+    const double length = graph.length(crease.edge);
+    lengths[root] += length;
+    gone[root] += crease.isGone ? length : 0.0;
+    high[root] += crease.isHigh ? length : 0.0;
   }
   Index dropped = 0;
-  for (const Crease& crease : creases)
+  for (const Smoothing& crease : creases)
   {
-    const Index root = sets.find(crease.point);
+    const Index root = sets.find(graph.ends[crease.edge][0]);
     if (crease.isGone && gone[root] >= leastGone * lengths[root] &&
       high[root] <= mostHigh * lengths[root])
     {
@@ -184,18 +171,20 @@ Index dropSteps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOp
     return 0;
   }
   const double points = std::pow(meanSpacing(mesh, 1) / options.spacing, 2.0);
-  const auto bends = [&] { return static_cast<double>(countBends(mesh, edges, features.kinds)); };
+  CreaseGraph graph = makeCreaseGraph(mesh, edges, options, features.kinds);
   Index dropped = 0;
   double most = tooManyBends * points;
   for (double width = narrowestSmoothing;
-       width <= widestSmoothing && bends() > most && !control.cancelled(); width *= 2.0)
+       width <= widestSmoothing && static_cast<double>(countBends(graph)) > most; width *= 2.0)
   {
     most = mostBends * points;
     const Smoothed smoothed(mesh, width * options.spacing, control);
-    if (!control.cancelled())
+    if (control.cancelled())
     {
-      dropped += dropGone(mesh, edges, options, smoothed, features);
+      break;
     }
+    dropped += dropGone(graph, edges, options, smoothed, features);
+    graph.listAround(features.kinds);
   }
   return dropped;
 }

@@ -1,0 +1,69 @@
+#include "Features/CreaseGraph.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numeric>
+
+namespace remesh
+{
+double CreaseGraph::length(Index edge) const
+{
+  return (this->mesh.points[this->ends[edge][0]] - this->mesh.points[this->ends[edge][1]]).norm();
+}
+
+double CreaseGraph::turn(Index point) const
+{
+  const Index* edges = this->around.data() + this->begin[point];
+  const Point3& at = this->mesh.points[point];
+  const Point3 in = at - this->mesh.points[this->other(edges[0], point)];
+  const Point3 out = this->mesh.points[this->other(edges[1], point)] - at;
+  return std::atan2(in.cross(out).norm(), in.dot(out));
+}
+
+void CreaseGraph::listAround(const std::vector<FeatureKind>& kinds)
+{
+  this->begin.assign(this->mesh.points.size() + 1, 0);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    if (kinds[e] != FeatureKind::None)
+    {
+      ++this->begin[this->ends[e][0] + 1];
+      ++this->begin[this->ends[e][1] + 1];
+    }
+  }
+  std::partial_sum(this->begin.begin(), this->begin.end(), this->begin.begin());
+  this->around.resize(static_cast<std::size_t>(this->begin.back()));
+  std::vector<Offset> next(this->begin.begin(), this->begin.end() - 1);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    if (kinds[e] != FeatureKind::None)
+    {
+      this->around[next[this->ends[e][0]]++] = static_cast<Index>(e);
+      this->around[next[this->ends[e][1]]++] = static_cast<Index>(e);
+    }
+  }
+}
+
+CreaseGraph makeCreaseGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, const std::vector<FeatureKind>& kinds)
+{
+  CreaseGraph graph{ mesh, {}, {}, {}, {} };
+  graph.ends.resize(kinds.size());
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      graph.ends[edges.facetEdges[f][k]] = { mesh.facetPoints[f][k],
+        mesh.facetPoints[f][(k + 1) % 3] };
+    }
+  }
+  graph.droppable.assign(kinds.size(), 0);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    graph.droppable[e] = mayBeDropped(edges, options, kinds, static_cast<Index>(e));
+  }
+  graph.listAround(kinds);
+  return graph;
+}
+}

@@ -1,0 +1,104 @@
+/**
+ * @file RepairState.h
+ * @brief What repairs of sites have tried and reached, and which state of the sites is the best.
+ */
+#ifndef remesh_RepairState_h
+#define remesh_RepairState_h
+
+#include "Remesh.h"
+
+#include <limits>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace remesh
+{
+/** What repairs have done to a state of the sites. */
+struct RepairCounts
+{
+  Index addedSites = 0; ///< about the last ones there are
+  Offset extraPoints = 0;
+  Offset flips = 0; ///< flipped triangles; 0 as long as the topology is being repaired
+};
+
+/** A copy of all sites, held once for all that need it. */
+using SharedSites = std::shared_ptr<const Sites>;
+
+/** What a state of the sites is made of. */
+struct SiteState
+{
+  SharedSites sites;
+  Stations stations;
+  FeatureSites featureSites;
+  SharedSites settled;
+  RepairCounts counts;
+};
+
+/** How the topology is repaired, one after the other. */
+enum class RepairStage
+{
+  Refine,       ///< add sites, take away others
+  CutTips,      ///< now and then leave thin tips to the cells around them
+  BeyondNumber, ///< add sites
+  GivenUp
+};
+
+/**
+ * How many vertices there are too many or too few, whether the certificate fails, how many vertices
+ * more than asked for features and parts of cells take, and how many failures and flipped triangles
+ * there are; lower is better. The number goes before the failures: as long as there are any, more
+ * points that do not mend all of them are of no use.
+ */
+using Score = std::tuple<Offset, bool, Offset, Offset>;
+
+const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0, 0 };
+
+/** What was mended how often, each with its own bound, and the best state so far. */
+struct Repair
+{
+  bool othersStay = false; ///< only sites touched may change, from the first on
+  int refinements = 0;
+  int adjustments = 0;
+  RepairStage stage = RepairStage::Refine;
+  int rounds = 0;     ///< in this stage
+  int idleRounds = 0; ///< in this stage, since one that came nearer than all before
+  Offset fewestFailures = std::numeric_limits<Offset>::max();
+  /** Of the cells that failed when it last came nearer, at first, while they were few. */
+  double failingMass = std::numeric_limits<double>::infinity();
+  int flipRounds = 0;
+  std::vector<Offset> flipsBefore; ///< of these rounds, flipped triangles
+
+  SharedSites atHand;  ///< the last ones that were shared
+  SharedSites settled; ///< before the first change that no Lloyd's steps followed; none as yet
+  RepairCounts counts;
+  SiteState best;
+  Score scoreOfBest = worstScore;
+};
+
+/** The result's sites as they are now. */
+SharedSites shareSites(const RemeshResult& result, Repair& repair);
+
+/** Remembers the result's sites, whether or not they are the best so far. */
+void keepState(const RemeshResult& result, Repair& repair);
+void restoreState(Repair& repair, RemeshResult& result);
+
+/**
+ * Vertices that are not of free sites: on features, and one more for each further part of a cell.
+ */
+Offset leastVertices(const RemeshResult& result);
+
+/** As many as there shall be: those asked for if they can be reached, and those added beyond. */
+Offset wantedVertices(
+  const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
+
+Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
+
+/** Keeps the state if it is the best so far, and sees whether repairs come nearer to their end. */
+void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair);
+
+/** Where the certificate fails; ascending. */
+std::vector<Index> failingComponents(const Certificate& certificate);
+}
+
+#endif
