@@ -6,7 +6,7 @@
 #define remesh_MeshDistance_h
 
 #include "Comparison/SurfaceDistance.h"
-#include "Comparison/TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 #include "Remesh.h"
 
 namespace remesh

@@ -1,7 +1,7 @@
 // Eight boxes at once: the same bits for all sets of instructions, and the numbers of the plain
 // formula.
 
-#include "Comparison/BoxDistances.h"
+#include "Mesh/BoxDistances.h"
 #include "TestLanes.h"
 #include "TestSupport.h"
 

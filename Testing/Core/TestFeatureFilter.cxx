@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 using namespace remesh;
 
@@ -149,11 +150,65 @@ std::size_t cornersOf(SurfaceMesh mesh)
   return findFeatures(mesh, FeatureOptions()).corners.size();
 }
 
+bool isInBall(int i, int j, int k)
+{
+  return Point3(i - 14.5, j - 14.5, k - 14.5).norm() < 14.2;
+}
+
+/** Borders of the surface and of labels stay where steps go. */
+void testBordersOfSteps()
+{
+  const auto isBelow = [](const Point3& a, const Point3& b, const Point3& c)
+  { return a.z() + b.z() + c.z() < 3.0 * 20.0; };
+  const TriangleSoup soup = test::voxelSurface(30, isInBall);
+  SurfaceMesh whole = test::meshOf(soup);
+  FeatureOptions options;
+  for (const auto& [a, b, c] : whole.facetPoints)
+  {
+    options.facetLabels.push_back(
+      isBelow(whole.points[a], whole.points[b], whole.points[c]) ? 3 : 7);
+  }
+  std::vector<std::array<Offset, 3>> below;
+  std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(below),
+    [&](const std::array<Offset, 3>& t)
+    { return isBelow(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]); });
+  SurfaceMesh cut = test::meshOf(test::makeSoup(soup.points, below));
+  const auto edgesBetween = [&](const std::vector<Index>& labels, const Features& features)
+  {
+    Offset kept = 0;
+    Offset all = 0;
+    for (std::size_t e = 0; e < features.kinds.size(); ++e)
+    {
+      const Index* facets = features.edges.edgeFacets.data() + features.edges.edgeFacetsBegin[e];
+      const Offset count =
+        features.edges.edgeFacetsBegin[e + 1] - features.edges.edgeFacetsBegin[e];
+      const bool isBorder =
+        count == 1 || (!labels.empty() && labels[facets[0]] != labels[facets[1]]);
+      all += isBorder;
+      kept += isBorder && features.kinds[e] != FeatureKind::None;
+    }
+    CHECK_EQUAL(kept, all);
+    return all;
+  };
+  options.spacing = meanSpacing(whole, 400);
+  const Features labelled = findFeatures(whole, options);
+  const Offset border = edgesBetween(options.facetLabels, labelled);
+  CHECK(border > 60);
+  const auto count = [](const Features& features)
+  {
+    return static_cast<Offset>(features.kinds.size()) -
+      std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::None);
+  };
+  CHECK(count(labelled) < border + 400); // of 4000 and more
+  options.facetLabels.clear();
+  const Features bordered = findFeatures(cut, options);
+  CHECK_EQUAL(edgesBetween({}, bordered), border);
+  CHECK(count(bordered) < border + 400);
+}
+
 /** A ball of voxels whose steps bend at some 1800 points. */
 void testSteps()
 {
-  const auto isInBall = [](int i, int j, int k)
-  { return Point3(i - 14.5, j - 14.5, k - 14.5).norm() < 14.2; };
   const SurfaceMesh ball = test::meshOf(test::voxelSurface(30, isInBall));
   CHECK_NEAR(test::enclosedVolume(ball), 4.0 / 3.0 * 3.1416 * std::pow(14.2, 3.0), 200.0);
   const Offset all = countFeatures(ball, 100000);
@@ -189,5 +244,6 @@ int TestFeatureFilter(int, char*[])
   testCreaseAtBorder();
   testBox();
   testSteps();
+  testBordersOfSteps();
   return test::result();
 }

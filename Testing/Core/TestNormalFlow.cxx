@@ -82,6 +82,30 @@ void testSphere()
   }
 }
 
+/** Its places are one, too: each step of t = radius^2 / 12 divides its radius by 1 + 2 t. */
+void testShrinkingSphere()
+{
+  const SurfaceMesh sphere = test::meshOf(test::icosphere(4));
+  for (const double radius : { 0.05, 0.4, 1.0 })
+  {
+    const std::vector<Point3> places = smoothPlacesOver(sphere, radius, RunControl());
+    CHECK_EQUAL(places.size(), sphere.cornerPoints.size());
+    const double left = std::pow(1.0 + radius * radius / 6.0, -3.0);
+    double sum = 0.0;
+    for (std::size_t c = 0; c < places.size(); ++c)
+    {
+      const Point3& before = sphere.points[sphere.cornerPoints[c]];
+      CHECK_NEAR((places[c] - left * before).norm(), 0.0, 0.15 * (1.0 - left));
+      sum += places[c].norm();
+    }
+    CHECK_NEAR(sum / static_cast<double>(places.size()), left, 0.02 * (1.0 - left));
+  }
+  for (const double radius : { 0.0, -1.0, std::numeric_limits<double>::infinity() })
+  {
+    CHECK(smoothPlacesOver(sphere, radius, RunControl()).front() == sphere.points[0]);
+  }
+}
+
 /** Facets much larger than the radius keep their normals; nothing crosses a crease. */
 void testLocality()
 {
@@ -192,6 +216,7 @@ int TestNormalFlow(int, char*[])
   testDecay();
   testSmallPart();
   testSphere();
+  testShrinkingSphere();
   testLocality();
   testControlAndScale();
   testOddInput();

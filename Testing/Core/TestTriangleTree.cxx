@@ -53,17 +53,6 @@ void testAgainstAll(const TriangleSoup& soup)
         static_cast<std::size_t>(
           std::count_if(all.begin(), all.end(), [&](double d) { return d <= reach * reach; })));
     }
-
-    std::size_t visited = 0;
-    tree.visitWithin(point, std::numeric_limits<double>::infinity(),
-      [&](const TriangleTree::Place&) { ++visited; });
-    CHECK_EQUAL(visited, all.size());
-    const double radius = 1.2 * place.at.squared + 0.01;
-    std::size_t found = 0;
-    tree.visitWithin(point, radius, [&](const TriangleTree::Place&) { ++found; });
-    CHECK_EQUAL(found,
-      static_cast<std::size_t>(
-        std::count_if(all.begin(), all.end(), [&](double d) { return d <= radius; })));
   }
 }
 

@@ -5,7 +5,7 @@
 #ifndef remesh_TestTriangles_h
 #define remesh_TestTriangles_h
 
-#include "Comparison/TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 #include "TestSupport.h"
 
 namespace remesh::test

@@ -5,7 +5,7 @@
 #ifndef remesh_DistanceLimit_h
 #define remesh_DistanceLimit_h
 
-#include "Comparison/TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 #include "Support/Status.h"
 
 namespace remesh

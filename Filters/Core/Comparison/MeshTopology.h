@@ -6,8 +6,8 @@
 #ifndef remesh_MeshTopology_h
 #define remesh_MeshTopology_h
 
-#include "Comparison/TriangleTree.h"
 #include "Mesh/EdgeTable.h"
+#include "Mesh/TriangleTree.h"
 #include "Support/Status.h"
 
 namespace remesh

@@ -5,7 +5,7 @@
 #ifndef remesh_NormalDeviation_h
 #define remesh_NormalDeviation_h
 
-#include "Comparison/TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 #include "Support/Status.h"
 
 #include <vector>
@@ -22,7 +22,7 @@ namespace remesh
  *
  * @param surface not empty.
  * @param size of the surface, such as its diagonal; in the unit of the points.
- * Cost: two searches in the tree for each triangle, in parallel. Deterministic.
+ * Cost: a search in the tree for each triangle, in parallel. Deterministic.
  */
 Status measureNormalDeviations(const Triangles& mesh, const TriangleTree& surface, double size,
   const RunControl& control, std::vector<double>& degrees);

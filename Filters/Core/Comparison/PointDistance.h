@@ -5,7 +5,7 @@
 #ifndef remesh_PointDistance_h
 #define remesh_PointDistance_h
 
-#include "Comparison/TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 #include "Support/Status.h"
 
 #include <vector>

@@ -5,7 +5,7 @@
 #ifndef remesh_SurfaceDistance_h
 #define remesh_SurfaceDistance_h
 
-#include "Comparison/TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 

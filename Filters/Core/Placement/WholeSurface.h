@@ -5,8 +5,8 @@
 #ifndef remesh_WholeSurface_h
 #define remesh_WholeSurface_h
 
-#include "Comparison/TriangleTree.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Mesh/TriangleTree.h"
 #include "Support/RunControl.h"
 
 namespace remesh

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <numeric>
 #include <thread>
 
@@ -49,7 +50,7 @@ void runOnEightThreads(Offset begin, Offset end, const std::function<void(Offset
   }
 }
 
-void runGroup(Schedule schedule, Offset begin, Offset end, const std::function<void(Offset)>& body)
+void runOn(Schedule schedule, Offset begin, Offset end, const std::function<void(Offset)>& body)
 {
   switch (schedule)
   {
@@ -69,6 +70,30 @@ void runGroup(Schedule schedule, Offset begin, Offset end, const std::function<v
           }
         });
       return;
+  }
+}
+
+/** An exception, as when memory runs out, must not leave a worker's thread: it comes out here. */
+void runGroup(Schedule schedule, Offset begin, Offset end, const std::function<void(Offset)>& body)
+{
+  std::exception_ptr first;
+  std::mutex lock;
+  runOn(schedule, begin, end,
+    [&](Offset block)
+    {
+      try
+      {
+        body(block);
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> guard(lock);
+        first = first ? first : std::current_exception();
+      }
+    });
+  if (first)
+  {
+    std::rethrow_exception(first);
   }
 }
 }

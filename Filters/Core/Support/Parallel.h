@@ -35,7 +35,8 @@ struct Blocks
 
 /**
  * Calls `body(block)` once for each block, in parallel, in no fixed order. Between groups of
- * blocks the calling thread reports progress in the control's current phase.
+ * blocks the calling thread reports progress in the control's current phase. An exception of a
+ * block is thrown on to the caller once its group is done.
  *
  * @return false when the run was cancelled; then some blocks have not been run.
  */

@@ -1,4 +1,4 @@
-#include "Comparison/BoxDistances.h"
+#include "Mesh/BoxDistances.h"
 
 namespace remesh
 {

@@ -1,4 +1,4 @@
-#include "Comparison/TriangleTree.h"
+#include "Mesh/TriangleTree.h"
 
 #include "Mesh/FacetGeometry.h"
 #include "Mesh/SpatialOrder.h"

@@ -9,7 +9,7 @@
 #ifndef remesh_TriangleTree_h
 #define remesh_TriangleTree_h
 
-#include "Comparison/BoxDistances.h"
+#include "Mesh/BoxDistances.h"
 #include "Mesh/ClosestPoint.h"
 #include "Support/RunControl.h"
 #include "Support/Types.h"
@@ -57,7 +57,7 @@ public:
 
   /**
    * The closest place of the surface. Where several triangles are as close, one of them: the
-   * same whatever the threads, but no particular one (see `visitWithin`).
+   * same whatever the threads, but no particular one (see `findClosest`).
    *
    * @param hint the slot of a triangle that may be close, as found for a point nearby: saves time.
    * Cost: O(log T) where the surface is not about equally far everywhere. From any thread.
@@ -81,10 +81,6 @@ public:
    */
   void findClosest(
     const Point3& point, const Tolerance& tolerance, Index hint, std::vector<Place>& places) const;
-
-  /** Calls `visit(Place)` for each triangle no further than the root of `squaredRadius`. */
-  template <class Visit>
-  void visitWithin(const Point3& point, double squaredRadius, const Visit& visit) const;
 
   /** The closest place of one triangle of the tree. */
   Place closestOn(Index slot, const Point3& point) const;
@@ -173,21 +169,6 @@ void TriangleTree::visitLeaves(
       }
     }
   }
-}
-
-template <class Visit>
-void TriangleTree::visitWithin(const Point3& point, double squaredRadius, const Visit& visit) const
-{
-  this->visitLeaves(
-    point, [=](double squared) { return squared <= squaredRadius; },
-    [&](Index slot)
-    {
-      const Place place = this->closestOn(slot, point);
-      if (place.at.squared <= squaredRadius)
-      {
-        visit(place);
-      }
-    });
 }
 }
 
