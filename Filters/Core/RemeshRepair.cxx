@@ -24,6 +24,7 @@ constexpr int mostAdjustments = 10;   // of the number of vertices
 constexpr int settledAdjustments = 4; // later ones change nothing but what they must
 constexpr int mostFlipRounds = 8;     // in which sites go to flipped triangles
 constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges if these mend them
+constexpr double noSides = 0.25;      // of the triangles flipped: as if sides were drawn by lot
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 
 /** Adds these sites, and others or none, so that the mesh has as many vertices as wanted. */
@@ -204,6 +205,10 @@ std::vector<Index> flippedTriangles(
   if (!status.ok() || flipped.empty())
   {
     return {};
+  }
+  if (flipped.size() > noSides * static_cast<double>(result.dual.triangles.size()))
+  {
+    return flipped; // no steps would be worth their time
   }
   std::vector<Point3> positions = result.components.centroids;
   std::vector<Triple> triangles = result.dual.triangles;

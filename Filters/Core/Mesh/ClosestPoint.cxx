@@ -1,6 +1,8 @@
 #include "Mesh/ClosestPoint.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace remesh
 {
@@ -10,6 +12,22 @@ ClosestPoint at(double u, double v, double w, const Point3& point, const Point3&
   const Point3& c)
 {
   return { { u, v, w }, (u * a + v * b + w * c - point).squaredNorm() };
+}
+
+/** The closest point of the three edges. */
+ClosestPoint closestOnEdges(const Point3& point, const Point3& a, const Point3& b, const Point3& c)
+{
+  const auto share = [&point](const Point3& from, const Point3& to)
+  {
+    const Point3 along = to - from;
+    const double squared = along.squaredNorm();
+    return squared > 0.0 ? std::clamp(along.dot(point - from) / squared, 0.0, 1.0) : 0.0;
+  };
+  const double ab = share(a, b), bc = share(b, c), ca = share(c, a);
+  const ClosestPoint found[] = { at(1.0 - ab, ab, 0.0, point, a, b, c),
+    at(0.0, 1.0 - bc, bc, point, a, b, c), at(ca, 0.0, 1.0 - ca, point, a, b, c) };
+  return *std::min_element(std::begin(found), std::end(found),
+    [](const ClosestPoint& one, const ClosestPoint& other) { return one.squared < other.squared; });
 }
 }
 
@@ -51,7 +69,15 @@ ClosestPoint closestOnTriangle(
     const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
     return at(0.0, 1.0 - t, t, point, a, b, c);
   }
+  // In a needle the weights are rounding errors; they are of four times the area squared.
+  constexpr double rounding = 1e-14;
   const double sum = wa + wb + wc;
+  const double products = std::abs(d1 * d4) + std::abs(d3 * d2) + std::abs(d5 * d2) +
+    std::abs(d1 * d6) + std::abs(d3 * d6) + std::abs(d5 * d4);
+  if (!(std::min({ wa, wb, wc }) > 0.0 && sum > rounding * products))
+  {
+    return closestOnEdges(point, a, b, c);
+  }
   return at(wa / sum, wb / sum, wc / sum, point, a, b, c);
 }
 }

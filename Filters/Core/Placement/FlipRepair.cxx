@@ -92,8 +92,9 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
     steps == FlipSteps::MoveAndTurn ? triangles : std::vector<Triple>();
   RepairedMesh mesh(problem, surface, shapes, triangles, positions);
   Offset doneBefore = 0;
+  Offset flippedBefore = 0;
   Effort effort = Effort::OwnStars;
-  Repaired before; // the steps that are not undone one by one
+  Repaired best; // once steps need only lower deviations
   std::vector<Index> flipped;
   int passes = steps == FlipSteps::Move ? movingPasses : mostPasses;
   for (int pass = 0;; ++pass)
@@ -107,19 +108,23 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
     const bool stuck = pass > turningPass + 1 && done == doneBefore;
     const bool tooMany =
       repair.flippedTriangles > mostFlipped(static_cast<Offset>(triangles.size()));
-    passes = tooMany && pass >= movingPasses ? pass : passes;
+    const bool hopeless = tooMany && pass > 0 && 2 * repair.flippedTriangles > flippedBefore;
+    flippedBefore = repair.flippedTriangles;
+    passes = hopeless || (tooMany && pass >= movingPasses) ? pass : passes;
     effort = stuck ? static_cast<Effort>(static_cast<int>(effort) + 1) : effort;
-    if (stuck && effort == Effort::KeptAnyway)
+    // Later steps may spoil what they cannot mend.
+    if (pass > turningPass &&
+      (best.triangles.empty() || repair.flippedTriangles < best.repair.flippedTriangles))
     {
-      before = { triangles, positions, repair };
+      best = { triangles, positions, repair };
     }
     if (repair.flippedTriangles == 0 || pass == passes || effort == Effort::Everything)
     {
-      if (!before.triangles.empty() && repair.flippedTriangles >= before.repair.flippedTriangles)
+      if (!best.triangles.empty())
       {
-        triangles = before.triangles;
-        positions = before.positions;
-        repair = before.repair;
+        triangles = best.triangles;
+        positions = best.positions;
+        repair = best.repair;
       }
       if (repair.flippedEdges > 0)
       {

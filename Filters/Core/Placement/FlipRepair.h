@@ -45,11 +45,13 @@ enum class FlipSteps
  *    likewise in each pass of step 5.
  * 4. Turns edges of what is left then (not those along features), if the topology stays.
  * 5. What is left after that gets more places to try, and what is around it may move and turn:
- *    steps need only lower what the triangles deviate from the surface's normals. They are undone
- *    if the triangle stays flipped, until all else has been tried.
+ *    steps need only lower what the triangles deviate from the surface's normals. Those around it
+ *    are undone if the triangle stays flipped, until all else has been tried; and all of them since
+ *    the number of flipped triangles last fell.
  * 6. Turns edges back where that flips nothing.
  *
- * Without turned edges, it ends after step 3; so it does where more than `mostFlipped` are left.
+ * Without turned edges, it ends after step 3; so it does where more than `mostFlipped` are left,
+ * and before where a pass does not halve them.
  *
  * Steps 2 to 5 go from triangle to triangle in order: flipped ones are few. They end when nothing
  * is flipped, or nothing helps.

@@ -29,7 +29,9 @@ NearbySurface::NearbySurface(
     const Point3& first = problem.facetPoint(f, 0);
     const double reach = std::sqrt(std::max((problem.facetPoint(f, 1) - first).squaredNorm(),
       (problem.facetPoint(f, 2) - first).squaredNorm()));
-    m_reach[f] = std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
+    using Limits = std::numeric_limits<float>;
+    m_reach[f] = std::nextafter(
+      static_cast<float>(std::min<double>(reach, Limits::max())), Limits::infinity());
   }
 }
 
@@ -78,17 +80,19 @@ bool NearbySurface::isFlat(const std::array<Point3, 3>& corners) const
 Point3 NearbySurface::closestPoint(const Index* begin, const Index* end, const Point3& point) const
 {
   const SurfaceLocation at = this->closest(begin, end, point);
-  if (at.facet == noIndex)
-  {
-    return point;
-  }
-  return at.b[0] * m_problem.facetPoint(at.facet, 0) + at.b[1] * m_problem.facetPoint(at.facet, 1) +
-    at.b[2] * m_problem.facetPoint(at.facet, 2);
+  return at.facet == noIndex ? point : this->positionOf(at);
 }
 
-Index NearbySurface::facetNear(const Triple& components, const std::array<Point3, 3>& corners) const
+SurfaceLocation NearbySurface::locationNear(
+  const Triple& components, const std::array<Point3, 3>& corners) const
 {
-  return this->closest(components.data(), components.data() + 3, centroidOf(corners)).facet;
+  return this->closest(components.data(), components.data() + 3, centroidOf(corners));
+}
+
+Point3 NearbySurface::positionOf(const SurfaceLocation& at) const
+{
+  return at.b[0] * m_problem.facetPoint(at.facet, 0) + at.b[1] * m_problem.facetPoint(at.facet, 1) +
+    at.b[2] * m_problem.facetPoint(at.facet, 2);
 }
 
 Point3 NearbySurface::normalOf(Index facet) const
@@ -101,22 +105,28 @@ Point3 NearbySurface::normalOf(Index facet) const
 Point3 NearbySurface::normalNear(
   const Triple& components, const std::array<Point3, 3>& corners) const
 {
-  return this->normalOf(this->facetNear(components, corners));
+  return this->normalOf(this->locationNear(components, corners).facet);
 }
 
 Facing NearbySurface::facingOf(const Triple& components, const std::array<Point3, 3>& corners) const
 {
   const Point3 normal = facetNormal(corners[0], corners[1], corners[2]);
-  const Index facet = this->facetNear(components, corners);
-  const Point3 wanted = this->normalOf(facet);
+  const SurfaceLocation own = this->locationNear(components, corners);
+  const Point3 wanted = this->normalOf(own.facet);
   if (normal.isZero(0.0) || wanted.isZero(0.0) || this->isFlat(corners))
   {
     return { -1.0, -1.0 };
   }
   const double cosine = normal.dot(wanted);
-  return { cosine,
-    m_whole && cosine >= 0.0
-      ? std::min(cosine, m_whole->leastCosine(centroidOf(corners), normal, facet))
-      : cosine };
+  if (!m_whole || cosine < 0.0)
+  {
+    return { cosine, cosine };
+  }
+  // Right above its own facet, others that are as close lie in the very same place.
+  const Point3 centroid = centroidOf(corners);
+  const bool isAbove = *std::min_element(own.b, own.b + 3) > 0.0;
+  const double within =
+    isAbove ? (this->positionOf(own) - centroid).norm() : std::numeric_limits<double>::infinity();
+  return { cosine, std::min(cosine, m_whole->leastCosine(centroid, normal, own.facet, within)) };
 }
 }

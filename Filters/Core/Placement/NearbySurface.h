@@ -39,7 +39,8 @@ public:
    * @param leastHeight unit of the points; triangles less high, and far less than long, have no
    *        normal.
    * @param whole given, a triangle is flipped, too, where it faces against a facet of another part
-   *        of the surface that is closer to its centroid: of another sheet, or beyond a fold.
+   *        of the surface that is closer to its centroid: of another sheet, or beyond a fold. Of
+   *        those that are as close, only if the closest point is on an edge of its own facet.
    */
   explicit NearbySurface(
     const PlacementProblem& problem, double leastHeight = 0.0, const WholeSurface* whole = nullptr);
@@ -63,7 +64,9 @@ public:
   }
 
 private:
-  Index facetNear(const Triple& components, const std::array<Point3, 3>& corners) const;
+  SurfaceLocation locationNear(
+    const Triple& components, const std::array<Point3, 3>& corners) const;
+  Point3 positionOf(const SurfaceLocation& at) const;
   Point3 normalOf(Index facet) const;
   /** Whether a triangle's corners are all but collinear. */
   bool isFlat(const std::array<Point3, 3>& corners) const;

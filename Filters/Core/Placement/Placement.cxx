@@ -7,6 +7,7 @@
 #include "Placement/StepLimit.h"
 #include "Placement/SurfaceFit.h"
 #include "Placement/TriangleShape.h"
+#include "Support/Grouping.h"
 #include "Support/Parallel.h"
 #include "Support/SortUnique.h"
 
@@ -106,8 +107,15 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
     return status;
   }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
-  const std::vector<Point3> unknown;
-  return limitSteps(problem, stars, { start, unknown }, start, control, positions)
+  // Against their own normals: shapes alone do not tell a triangle from its mirror image.
+  std::vector<Point3> normals(problem.triangles.size());
+  const bool known = forEachItem(static_cast<Offset>(normals.size()), control,
+    [&](Offset t)
+    {
+      const auto [a, b, c] = cornersOf(problem.triangles[t], start);
+      normals[t] = facetNormal(a, b, c);
+    });
+  return known && limitSteps(problem, stars, { start, normals }, start, control, positions)
     ? Status::success()
     : Status::cancelled();
 }

@@ -16,7 +16,7 @@ namespace remesh
  * facets (M. Garland, P. Heckbert, "Surface simplification using quadric error metrics", 1997),
  * closest to the centroid where the planes leave a choice: eigenvalues below a share of the largest
  * are cut off (P. Lindstrom, "Out-of-core simplification of large polygonal models", 2000). It
- * stays within the ball around the centroid that holds the cell.
+ * stays within the ball around the centroid that holds the centroids of the cell's pieces.
  *
  * @param positions K, of the centroids; replaced but at fixed vertices. R^3, unit of the points.
  * Cost: O(pieces). Parallel, deterministic.

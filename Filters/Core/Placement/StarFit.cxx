@@ -29,6 +29,11 @@ int cornerOf(Index vertex, const Triple& triangle)
 
 void StarFit::sum(FitSamples& samples, Offset number, StarBlock& block)
 {
+  for (const Index triangle : m_entered) // of the last block
+  {
+    m_slots[triangle] = noIndex;
+  }
+  m_entered.clear();
   block.triangles.clear();
   block.sums.clear();
   const SampleBlock& sampled = samples.of(number, m_scratch);
@@ -46,10 +51,6 @@ void StarFit::sum(FitSamples& samples, Offset number, StarBlock& block)
       this->addClosest(groups[m_others[k] / lanes], m_others[k] % lanes, samples.unit(), block);
     }
   }
-  for (const Index triangle : block.triangles)
-  {
-    m_slots[triangle] = noIndex;
-  }
 }
 
 void StarFit::enter(Index vertex, StarBlock& block)
@@ -65,9 +66,10 @@ void StarFit::enter(Index vertex, StarBlock& block)
     }
     if (m_slots[t] == noIndex)
     {
-      m_slots[t] = static_cast<Index>(block.sums.size());
+      m_entered.push_back(t); // first, in case that memory runs out
       block.triangles.push_back(t);
       block.sums.push_back({});
+      m_slots[t] = static_cast<Index>(block.sums.size() - 1);
     }
     const Triple& corners = m_problem.triangles[t];
     StarTriangle& triangle = m_star.emplace_back(StarTriangle{});

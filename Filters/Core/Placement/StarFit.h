@@ -18,7 +18,7 @@ struct StarBlock
 
 /**
  * One thread's work on one block after the other, one vertex at a time: its triangles are prepared
- * once for its many samples.
+ * once for its many samples. Takes 4 bytes for each triangle of the mesh.
  */
 class StarFit
 {
@@ -54,6 +54,7 @@ private:
 
   Index m_center = noIndex;
   std::vector<Index> m_slots;       ///< T, of the block's sums; noIndex where it has none
+  std::vector<Index> m_entered;     ///< triangles with a slot
   std::vector<StarTriangle> m_star; ///< those with area; zero where too narrow to lie above
   std::vector<Index> m_others;
   SampleBlock m_scratch; ///< samples that are not kept

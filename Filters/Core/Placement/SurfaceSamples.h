@@ -59,22 +59,33 @@ void forEachSample(
   const VertexPlaces places{ problem.surface, problem.sites, diagram };
   const Components& components = problem.components;
   const double measure = components.area[component] / samples;
+  const auto areaOf = [&](Offset p)
+  {
+    const Offset piece = components.pieces[p];
+    return diagram.integrals[piece].fraction() *
+      problem.surface.constants[diagram.facets[piece]].area;
+  };
+  const Offset begins = components.pieceBegin[component];
+  Offset ends = components.pieceBegin[component + 1];
+  while (ends > begins && !(areaOf(ends - 1) > 0.0))
+  {
+    --ends;
+  }
   double carried = 0.0;
   SurfaceSample sample;
   sample.normal = Point3::Zero();
-  for (Offset p = components.pieceBegin[component]; p < components.pieceBegin[component + 1]; ++p)
+  for (Offset p = begins; p < ends; ++p)
   {
     const Offset piece = components.pieces[p];
     const PieceIntegral& integral = diagram.integrals[piece];
     const Index facet = diagram.facets[piece];
-    const double area = integral.fraction() * problem.surface.constants[facet].area;
+    const double area = areaOf(p);
     if (!(area > 0.0))
     {
       continue;
     }
     carried += area;
-    const bool last = p + 1 == components.pieceBegin[component + 1];
-    if (carried < measure && !last)
+    if (carried < measure && p + 1 < ends)
     {
       continue;
     }

@@ -4,6 +4,7 @@
 #include "Mesh/FacetGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace remesh
@@ -25,11 +26,21 @@ WholeSurface::WholeSurface(const SurfaceMesh& mesh, const RunControl& control)
   }
 }
 
-double WholeSurface::leastCosine(const Point3& place, const Point3& vector, Index facet) const
+double WholeSurface::leastCosine(
+  const Point3& place, const Point3& vector, Index facet, double within) const
 {
   std::vector<TriangleTree::Place> closest;
   closest.reserve(8);
   m_tree.findClosest(place, { asClose, m_rounding }, m_slots[facet], closest);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const TriangleTree::Place& near : closest)
+  {
+    nearest = std::min(nearest, near.at.squared);
+  }
+  if (std::sqrt(nearest) * (1.0 + asClose) + m_rounding >= within)
+  {
+    return 1.0;
+  }
   double least = 1.0;
   for (const TriangleTree::Place& near : closest)
   {

@@ -9,6 +9,8 @@
 #include "Mesh/TriangleTree.h"
 #include "Support/RunControl.h"
 
+#include <limits>
+
 namespace remesh
 {
 /** Cost: O(F) to make, in parallel, and 110 bytes a facet while it lives. */
@@ -23,8 +25,10 @@ public:
    * 1 without any.
    *
    * @param facet one that may be close: saves time.
+   * @param within distance: if no facet is closer than this, up to rounding, 1 is returned.
    */
-  double leastCosine(const Point3& place, const Point3& vector, Index facet) const;
+  double leastCosine(const Point3& place, const Point3& vector, Index facet,
+    double within = std::numeric_limits<double>::infinity()) const;
 
 private:
   TriangleTree m_tree;

@@ -78,9 +78,14 @@ void runGroup(Schedule schedule, Offset begin, Offset end, const std::function<v
 {
   std::exception_ptr first;
   std::mutex lock;
+  std::atomic<bool> failed(false);
   runOn(schedule, begin, end,
     [&](Offset block)
     {
+      if (failed)
+      {
+        return;
+      }
       try
       {
         body(block);
@@ -89,6 +94,7 @@ void runGroup(Schedule schedule, Offset begin, Offset end, const std::function<v
       {
         const std::lock_guard<std::mutex> guard(lock);
         first = first ? first : std::current_exception();
+        failed = true;
       }
     });
   if (first)

@@ -35,8 +35,8 @@ struct Blocks
 
 /**
  * Calls `body(block)` once for each block, in parallel, in no fixed order. Between groups of
- * blocks the calling thread reports progress in the control's current phase. An exception of a
- * block is thrown on to the caller once its group is done.
+ * blocks the calling thread reports progress in the control's current phase. The first
+ * exception of a block is thrown on to the caller; blocks that have not begun by then are not run.
  *
  * @return false when the run was cancelled; then some blocks have not been run.
  */
