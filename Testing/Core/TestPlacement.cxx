@@ -319,7 +319,39 @@ void testWholeSurface()
     }
     const Index hint = static_cast<Index>(k) % plate.numberOfFacets();
     CHECK_EQUAL(whole.leastCosine(place, vector, hint), least);
+    CHECK_EQUAL(whole.leastCosine(place, vector, hint, 1.1 * nearest + 1e-6), least);
+    CHECK_EQUAL(whole.leastCosine(place, vector, hint, nearest), 1.0);
   }
+}
+
+/** A sheet that lies on another one, turned over and cut otherwise, makes no strays. */
+void testCoincidentSheets()
+{
+  TriangleSoup soup = test::gridPatch(30, 30);
+  TriangleSoup other = test::gridPatch(17, 23);
+  for (std::size_t t = 0; t < other.triangles.size(); ++t)
+  {
+    test::flip(other, t);
+  }
+  test::append(soup, other, Point3::Zero());
+  const SurfaceMesh mesh = test::meshOf(soup);
+  const RemeshResult result = test::remeshed(mesh, 0.02, 300, VertexPlacement::Centroid);
+  const EmbeddedSurface surface = test::gaussMapOf(mesh, 0.02);
+  const std::vector<char> none;
+  const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
+    result.dual.triangles, none };
+  const WholeSurface whole(mesh);
+  const NearbySurface nearby(problem, 0.0, &whole);
+  Offset strays = 0;
+  for (const Triple& triangle : result.dual.triangles)
+  {
+    const std::vector<Point3>& at = result.components.centroids;
+    const Facing facing =
+      nearby.facingOf(triangle, { at[triangle[0]], at[triangle[1]], at[triangle[2]] });
+    strays += facing.cosine >= 0.0 && facing.least < 0.0; // they share their four corners
+  }
+  CHECK(result.dual.triangles.size() > 400);
+  CHECK_EQUAL(strays, 0);
 }
 
 /** A surface of any size is fitted as well as another: the same numbers, scaled. */
@@ -358,5 +390,6 @@ int TestPlacement(int, char*[])
   testSmall();
   testRetreat();
   testWholeSurface();
+  testCoincidentSheets();
   return test::result();
 }

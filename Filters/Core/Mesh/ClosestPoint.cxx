@@ -1,5 +1,7 @@
 #include "Mesh/ClosestPoint.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,6 +10,9 @@ namespace remesh
 {
 namespace
 {
+constexpr double roundedShare = 1e-6; // of the products that it is the sum of: digits are lost
+constexpr double leastSine = 1e-8;    // of the angle at a corner: so are those of areas
+
 ClosestPoint at(double u, double v, double w, const Point3& point, const Point3& a, const Point3& b,
   const Point3& c)
 {
@@ -28,6 +33,24 @@ ClosestPoint closestOnEdges(const Point3& point, const Point3& a, const Point3& 
     at(0.0, 1.0 - bc, bc, point, a, b, c), at(ca, 0.0, 1.0 - ca, point, a, b, c) };
   return *std::min_element(std::begin(found), std::end(found),
     [](const ClosestPoint& one, const ClosestPoint& other) { return one.squared < other.squared; });
+}
+
+/**
+ * Where the weights of the inside, squares of areas, are lost in rounding: by the areas themselves.
+ */
+ClosestPoint closestOnNeedle(const Point3& point, const Point3& a, const Point3& b, const Point3& c)
+{
+  const Point3 normal = (b - a).cross(c - a);
+  const double squared = normal.squaredNorm();
+  const Point3 toA = a - point, toB = b - point, toC = c - point;
+  const double wa = normal.dot(toB.cross(toC)) / squared;
+  const double wb = normal.dot(toC.cross(toA)) / squared;
+  const double wc = normal.dot(toA.cross(toB)) / squared;
+  const double sum = wa + wb + wc;
+  const bool isInside = std::min({ wa, wb, wc }) > 0.0 &&
+    squared > leastSine * leastSine * (b - a).squaredNorm() * (c - a).squaredNorm();
+  return isInside ? at(wa / sum, wb / sum, wc / sum, point, a, b, c)
+                  : closestOnEdges(point, a, b, c);
 }
 }
 
@@ -69,14 +92,12 @@ ClosestPoint closestOnTriangle(
     const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
     return at(0.0, 1.0 - t, t, point, a, b, c);
   }
-  // In a needle the weights are rounding errors; they are of four times the area squared.
-  constexpr double rounding = 1e-14;
   const double sum = wa + wb + wc;
   const double products = std::abs(d1 * d4) + std::abs(d3 * d2) + std::abs(d5 * d2) +
     std::abs(d1 * d6) + std::abs(d3 * d6) + std::abs(d5 * d4);
-  if (!(std::min({ wa, wb, wc }) > 0.0 && sum > rounding * products))
+  if (!(std::min({ wa, wb, wc }) > 0.0 && sum > roundedShare * products))
   {
-    return closestOnEdges(point, a, b, c);
+    return closestOnNeedle(point, a, b, c);
   }
   return at(wa / sum, wb / sum, wc / sum, point, a, b, c);
 }
