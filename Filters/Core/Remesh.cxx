@@ -24,7 +24,11 @@ Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResul
     return status;
   }
   result.stations = sampleCurves(task.mesh, task.surface, *task.features, options.numberOfSites,
-    options.mostCurveError, result.neededFeaturePoints);
+    options.mostCurveError, control, result.neededFeaturePoints);
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
   result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
   separateCurves(task.mesh, task.surface, *task.features, task.mostPointsOnFeatures(0),
     std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)), control,

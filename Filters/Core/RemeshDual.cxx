@@ -53,8 +53,8 @@ Status dualize(const Task& task, const EdgeTable& edges, const std::vector<Index
 /** What else is told of the cells. */
 Status describeCells(const Task& task, const RunControl& control, RemeshResult& result)
 {
-  if (Status status = countNeighbors(result.diagram, result.components, result.sites.count(),
-        control, result.numbersOfNeighbors);
+  if (Status status =
+        countNeighbors(result.diagram, result.sites.count(), control, result.numbersOfNeighbors);
       !status.ok())
   {
     return status;
@@ -182,7 +182,7 @@ Status mendAll(
         return status;
       }
     }
-    else if (!repair.othersStay && leavesUnsettled(repair) && !repair.settled)
+    else if (!repair.othersStay && leavesUnsettled(repair) && !repair.settled && !repair.wentBack)
     {
       repair.settled = earlier;
     }

@@ -144,11 +144,12 @@ bool enterNextStage(const Task& task, Repair& repair, RemeshResult& result)
   repair.flipRounds = wasForFlips ? mostFlipRounds : 0;
   repair.rounds = 0;
   repair.idleRounds = 0;
-  if (!wasForFlips && scoreOf(task.options, result, repair) < repair.scoreOfBest)
+  if (shareSites(result, repair) == repair.best.sites)
   {
     return false;
   }
   restoreState(repair, result);
+  repair.wentBack = true;
   return true;
 }
 
@@ -281,6 +282,7 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
 
 Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
+  repair.wentBack = false;
   if (task.features && repair.refinements < mostRefinements)
   {
     if (const Index touched = repairCurves(task, result.seams.intrusions, control, repair, result);

@@ -69,6 +69,8 @@ struct Repair
   int flipRounds = 0;
   std::vector<Offset> flipsBefore; ///< of these rounds, flipped triangles
 
+  bool wentBack = false; ///< to the best state, by the last change
+
   SharedSites atHand;  ///< the last ones that were shared
   SharedSites settled; ///< before the first change that no Lloyd's steps followed; none as yet
   RepairCounts counts;

@@ -22,8 +22,7 @@ Sites relaxed(const EmbeddedSurface& surface, Offset n)
 }
 
 /** The sites whose cells share a segment, by the diagram's own edges. */
-void checkNeighbors(
-  const test::PlacedDiagram& diagram, const Components& components, Index numberOfSites)
+void checkNeighbors(const test::PlacedDiagram& diagram, Index numberOfSites)
 {
   std::vector<std::set<Index>> neighbors(static_cast<std::size_t>(numberOfSites));
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
@@ -37,7 +36,7 @@ void checkNeighbors(
     }
   }
   std::vector<Index> counts;
-  CHECK(countNeighbors(diagram, components, numberOfSites, RunControl(), counts).ok());
+  CHECK(countNeighbors(diagram, numberOfSites, RunControl(), counts).ok());
   CHECK_EQUAL(Index(counts.size()), numberOfSites);
   for (std::size_t site = 0; site < counts.size(); ++site)
   {
@@ -51,7 +50,7 @@ test::DualOf checkedDual(
 {
   const test::Computed result = test::computed(surface, sites);
   const test::DualOf made = test::dualOf(mesh, surface, result);
-  checkNeighbors(result.diagram, made.components, sites.count());
+  checkNeighbors(result.diagram, sites.count());
   Offset meetings = 0;
   for (Offset p = 0; p < result.diagram.numberOfPieces(); ++p)
   {

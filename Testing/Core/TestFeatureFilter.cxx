@@ -150,6 +150,49 @@ std::size_t cornersOf(SurfaceMesh mesh)
   return findFeatures(mesh, FeatureOptions()).corners.size();
 }
 
+/** A crack in a plane, filled with two slivers whose own normals are noise: there is no crease. */
+void testSlivers()
+{
+  for (const double width : { 1e-8, 1e-10, 1e-12 })
+  {
+    const std::vector<Point3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 0 },
+      { 0.4, width, 0.7 * width }, { 0.6, -width, 0.7 * width } };
+    const std::vector<std::array<Offset, 3>> triangles{ { 0, 1, 4 }, { 1, 0, 5 }, { 0, 4, 2 },
+      { 4, 1, 2 }, { 1, 5, 3 }, { 5, 0, 3 } };
+    SurfaceMesh mesh = test::meshOf(test::makeSoup(points, triangles));
+    CHECK_EQUAL(mesh.numberOfFacets(), 6);
+    const Features features = findFeatures(mesh, FeatureOptions());
+    CHECK_EQUAL(std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease), 0);
+    CHECK_EQUAL(std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Boundary), 4);
+  }
+}
+
+/** A tip that touches the middle of a crease, or of a border, makes that point a corner. */
+void testTouchingTip()
+{
+  constexpr Offset sides = 40;
+  for (const bool isFolded : { true, false })
+  {
+    TriangleSoup soup = test::gridPatch(4, 4);
+    for (Point3& point : soup.points)
+    {
+      point.z() = isFolded ? std::abs(point.x() - 0.5) : 0.0;
+    }
+    const Point3 tip = isFolded ? Point3(0.5, 0.5, 0.0) : Point3(0.5, 0.0, 0.0);
+    const std::size_t corners = cornersOf(test::meshOf(soup));
+    std::vector<Point3> points{ tip };
+    std::vector<std::array<Offset, 3>> triangles;
+    for (Offset k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * test::pi * static_cast<double>(k) / sides;
+      points.push_back(tip + Point3(0.1 * std::cos(angle), 0.1 * std::sin(angle), -0.3));
+      triangles.push_back({ 0, 1 + k, 1 + (k + 1) % sides });
+    }
+    test::append(soup, test::makeSoup(points, triangles), Point3::Zero());
+    CHECK_EQUAL(cornersOf(test::meshOf(soup)), corners + 1); // the cone's border has none
+  }
+}
+
 bool isInBall(int i, int j, int k)
 {
   return Point3(i - 14.5, j - 14.5, k - 14.5).norm() < 14.2;
@@ -243,6 +286,8 @@ int TestFeatureFilter(int, char*[])
   testNoiseAtBorder();
   testCreaseAtBorder();
   testBox();
+  testSlivers();
+  testTouchingTip();
   testSteps();
   testBordersOfSteps();
   return test::result();

@@ -10,8 +10,8 @@
  * patch's own dual lacks. So the mesh is closed along each feature by construction, and each
  * stretch of a curve between two sites is an edge of it.
  *
- * Along creases that end within a patch the surface is not cut and nothing is sewn: cells that
- * come between are only noted, for the curve to be refined.
+ * Along creases with the same patch on both sides the surface is not cut and nothing is sewn: cells
+ * that come between are only noted, for the curve to be refined.
  */
 #ifndef remesh_Collar_h
 #define remesh_Collar_h

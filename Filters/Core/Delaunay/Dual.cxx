@@ -6,6 +6,7 @@
 #include "Support/SortUnique.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace remesh
 {
@@ -152,45 +153,32 @@ Status dropHangingTriangles(
   return examine(components.count(), control.silent(), dual);
 }
 
-Status countNeighbors(const Diagram& diagram, const Components& components, Index numberOfSites,
-  const RunControl& control, std::vector<Index>& counts)
+Status countNeighbors(const Diagram& diagram, Index numberOfSites, const RunControl& control,
+  std::vector<Index>& counts)
 {
   counts.assign(static_cast<std::size_t>(numberOfSites), 0);
-  const bool done = forEachRange(longBlocks(components.count()), control,
-    [&](Offset begin, Offset end)
-    {
-      std::vector<std::pair<Index, Index>> neighbors; // of each copy of a site, if it has some
-      for (Offset k = begin; k < end; ++k)
+  Groups pieces;
+  const bool done = groupByKey(
+                      diagram.numberOfPieces(), numberOfSites, control.silent(),
+                      [&](Offset piece) { return diagram.sites[piece]; }, pieces) &&
+    forEachRange(longBlocks(numberOfSites), control,
+      [&](Offset begin, Offset end)
       {
-        const Index site = components.sites[k];
-        if (components.ranks[k] > 0)
+        std::vector<Index> neighbors;
+        for (Offset site = begin; site < end; ++site)
         {
-          continue; // done with the site's first component
-        }
-        Offset next = k + 1; // the components of a site are consecutive, and so are their pieces
-        while (next < components.count() && components.sites[next] == site)
-        {
-          ++next;
-        }
-        neighbors.clear();
-        for (Offset p = components.pieceBegin[k]; p < components.pieceBegin[next]; ++p)
-        {
-          const Index piece = components.pieces[p];
-          for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+          neighbors.clear();
+          for (Offset p = pieces.begins[site]; p < pieces.begins[site + 1]; ++p)
           {
-            if (diagram.across[v] >= 0)
-            {
-              neighbors.emplace_back(diagram.sites[piece], diagram.across[v]);
-            }
+            const Index piece = pieces.items[p];
+            std::copy_if(diagram.across.begin() + diagram.vertexBegin[piece],
+              diagram.across.begin() + diagram.vertexBegin[piece + 1],
+              std::back_inserter(neighbors), [](Index across) { return across >= 0; });
           }
+          sortUnique(neighbors);
+          counts[site] = static_cast<Index>(neighbors.size());
         }
-        sortUnique(neighbors);
-        for (const auto& [copy, neighbor] : neighbors)
-        {
-          ++counts[copy];
-        }
-      }
-    });
+      });
   return done ? Status::success() : Status::cancelled();
 }
 }

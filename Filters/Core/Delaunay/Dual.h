@@ -44,8 +44,8 @@ Status dropHangingTriangles(
  * @return Cancelled; then `counts` are of no use.
  * Cost: O(P) but for the neighbours of a site, which are sorted; in parallel.
  */
-Status countNeighbors(const Diagram& diagram, const Components& components, Index numberOfSites,
-  const RunControl& control, std::vector<Index>& counts);
+Status countNeighbors(const Diagram& diagram, Index numberOfSites, const RunControl& control,
+  std::vector<Index>& counts);
 }
 
 #endif

@@ -37,7 +37,9 @@ std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const EdgeVal
       if (uses[apex] == 1 && !stays[apex] && edges.of(from, to) > 2 && edges.of(to, apex) == 1 &&
         edges.of(apex, from) == 1)
       {
-        heirs[apex] = from; // which has other triangles, and so does not hang itself
+        // Both have other triangles, and so do not hang themselves. The pieces must be next to the
+        // heir's: a vertex on a feature may meet them through the collar alone.
+        heirs[apex] = stays[from] && !stays[to] ? to : from;
       }
     }
   }

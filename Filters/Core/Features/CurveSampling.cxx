@@ -23,9 +23,9 @@ constexpr int mostGrowths = 20;
 constexpr int balancingSteps = 10;
 constexpr double hexagonal = 0.86602540378443864676; // area per point over spacing squared
 
-constexpr double roughError = 0.2;       // of the spacing, of creases that zigzag
-constexpr double leastTurning = 1.0;     // radians in all, of a curve that may zigzag
-constexpr double roughShare = 0.6;       // of its turning that is left between neighbouring turns
+constexpr double roughError = 0.2;   // of the spacing, of creases that zigzag
+constexpr double leastTurning = 1.0; // radians in all, of a curve that may zigzag
+constexpr double roughShare = 0.6;   // of its turning that is left between neighbouring turns
 
 /** One curve as the sampler sees it. */
 struct Course
@@ -36,8 +36,8 @@ struct Course
 };
 
 /**
- * Whether a curve turns to and fro, as creases do that follow the edges of a scan: turns in opposite
- * directions next to each other cancel, which those of an arc or a corner do not.
+ * Whether a curve turns to and fro, as creases do that follow the edges of a scan: turns in
+ * opposite directions next to each other cancel, which those of an arc or a corner do not.
  */
 bool zigzags(const std::vector<Point3>& points)
 {
@@ -310,7 +310,8 @@ Station stationAtRadius(
 }
 
 Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset numberOfPoints, double mostError, Offset& needed)
+  const Features& features, Offset numberOfPoints, double mostError, const RunControl& control,
+  Offset& needed)
 {
   std::vector<Course> courses(features.curves.size());
   for (std::size_t c = 0; c < courses.size(); ++c)
@@ -337,6 +338,10 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const double rough = std::min(roughError * spacing * surface.unit, mostError);
   const auto countWith = [&](Stations& stations)
   {
+    if (control.cancelled()) // with no points, no other try follows
+    {
+      return 0.0;
+    }
     stations = sampleWith(courses, least, error, rough, spacing);
     return static_cast<double>(countFeaturePoints(features, stations));
   };

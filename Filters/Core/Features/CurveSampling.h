@@ -70,10 +70,12 @@ Station stationAtRadius(
  * @param numberOfPoints of the whole mesh.
  * @param mostError in the unit of the points, above 0.
  * @param needed vertices that corners and bends alone take, at the coarsest distance.
+ * @return of no use when cancelled: asked between the tries.
  * Cost: O(V log V) for V points on curves, times the tries for the distance.
  */
 Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset numberOfPoints, double mostError, Offset& needed);
+  const Features& features, Offset numberOfPoints, double mostError, const RunControl& control,
+  Offset& needed);
 
 /** The vertices that a mesh has on its features: corners, and places between. */
 Offset countFeaturePoints(const Features& features, const Stations& stations);

@@ -16,8 +16,19 @@ constexpr int mostSteps = 8; // over thin facets, to one with a normal
 struct FacetShape
 {
   Point3 normal;
-  bool thin;   ///< too thin for its normal to mean anything
-  int longest; ///< its longest edge
+  bool thin; ///< too thin for its normal to mean anything
+  std::array<double, 3> lengths;
+
+  /** The longest edge, but for one. */
+  int longestBut(int other) const
+  {
+    int longest = other == 0 ? 1 : 0;
+    for (int k = longest + 1; k < 3; ++k)
+    {
+      longest = k != other && this->lengths[k] > this->lengths[longest] ? k : longest;
+    }
+    return longest;
+  }
 };
 
 FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double least)
@@ -28,16 +39,12 @@ FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double least)
   {
     p[k] = &mesh.points[points[k]];
   }
-  FacetShape shape{ facetNormal(*p[0], *p[1], *p[2]), false, 0 };
+  FacetShape shape{ facetNormal(*p[0], *p[1], *p[2]), false, {} };
   double longest = 0.0;
   for (int k = 0; k < 3; ++k)
   {
-    const double length = (*p[(k + 1) % 3] - *p[k]).norm();
-    if (length > longest)
-    {
-      longest = length;
-      shape.longest = k;
-    }
+    shape.lengths[k] = (*p[(k + 1) % 3] - *p[k]).norm();
+    longest = std::max(longest, shape.lengths[k]);
   }
   shape.thin = 2.0 * facetArea(*p[0], *p[1], *p[2]) < least * longest;
   return shape;
@@ -73,9 +80,10 @@ std::vector<Point3> reliableNormals(
   {
     auto at = static_cast<Index>(f);
     double sign = 1.0;
+    int side = -1; // that it is come in by
     for (int step = 0; step < mostSteps && shapes[at].thin; ++step)
     {
-      const Index edge = edges.facetEdges[at][shapes[at].longest];
+      const Index edge = edges.facetEdges[at][shapes[at].longestBut(side)];
       const Index next = beyond(edges, edge, at);
       if (next == noIndex)
       {
@@ -83,6 +91,7 @@ std::vector<Point3> reliableNormals(
       }
       sign = opposed(mesh, edges, edge, at, next) ? -sign : sign;
       at = next;
+      side = edges.sideOf(at, edge);
     }
     normals[f] = shapes[at].thin ? shapes[f].normal : Point3(sign * shapes[at].normal);
   };

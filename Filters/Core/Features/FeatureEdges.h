@@ -31,7 +31,8 @@ struct FeatureEdges
 /**
  * The kind of each edge. Facets thinner than what single precision resolves (1e-6 of the
  * bounding-box diagonal) have no normal of their own: they take that of the facet beyond their
- * longest edge. O(F), in parallel. Of no use when cancelled.
+ * longest edge, and on from there if that has none either. O(F), in parallel. Of no use when
+ * cancelled.
  */
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control);

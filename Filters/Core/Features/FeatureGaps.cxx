@@ -100,6 +100,7 @@ void bridgeGaps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOp
   CandidateGraph graph(mesh, edges, weakShare * options.angleDegrees * pi / 180.0, features);
   const auto isFeature = [&](Index edge) { return features.kinds[edge] != FeatureKind::None; };
   std::vector<Index> gap;
+  std::vector<Index> seenFrom(features.kinds.size(), noIndex); // E, the last loose end
   for (Index end = 0; end < mesh.numberOfPoints(); ++end)
   {
     if (graph.degree(end) != 1)
@@ -113,11 +114,11 @@ void bridgeGaps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOp
     while (gap.size() < longestGap)
     {
       edge = graph.continuation(edge, at);
-      if (edge == noIndex || isFeature(edge) ||
-        std::find(gap.begin(), gap.end(), edge) != gap.end())
+      if (edge == noIndex || isFeature(edge) || seenFrom[edge] == end)
       {
         break;
       }
+      seenFrom[edge] = end;
       gap.push_back(edge);
       at = graph.other(edge, at);
       if (graph.degree(at) > 0)

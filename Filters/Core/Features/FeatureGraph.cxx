@@ -246,21 +246,25 @@ void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
     }
   }
   const std::vector<Index> fansOfPoint = numberCorners(mesh, fans);
-  std::vector<char> onFeature(mesh.points.size(), 0);
+  std::vector<Index> onFeature(mesh.points.size(), noIndex); // an edge
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
       if (features.kind(f, k) != FeatureKind::None)
       {
-        onFeature[mesh.facetPoints[f][k]] = onFeature[mesh.facetPoints[f][(k + 1) % 3]] = 1;
+        const Index edge = features.edges.facetEdges[f][k];
+        onFeature[mesh.facetPoints[f][k]] = onFeature[mesh.facetPoints[f][(k + 1) % 3]] = edge;
       }
     }
   }
-  // Without a feature there is one fan, unless shells touch in the point.
+  // Without a feature there is one fan, and inside of a curve one for each of its sides, unless
+  // shells touch in the point. (Other points on features are corners anyway.)
   for (Index p = 0; p < mesh.numberOfPoints(); ++p)
   {
-    if (!onFeature[p] && fansOfPoint[p] > 1)
+    const Index edge = onFeature[p];
+    const Index sides = edge == noIndex || !features.cuts[edge] ? 1 : features.edges.valence(edge);
+    if (fansOfPoint[p] > sides)
     {
       features.corners.push_back(p);
     }

@@ -40,8 +40,8 @@ struct Features
   EdgeTable edges;                ///< over the surface's points
   std::vector<FeatureKind> kinds; ///< E; None where an edge is no feature or was dropped
   /**
-   * E; whether the surface is cut open there. Creases that end within a patch have it on both sides
-   * and are not cut: their points are kept, and the surface goes on across them.
+   * E; whether the surface is cut open there. Creases with the same patch on both sides, as those
+   * that end within one, are not cut: their points are kept, and the surface goes on across them.
    */
   std::vector<char> cuts;
   std::vector<FeatureCurve> curves;
