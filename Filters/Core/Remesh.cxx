@@ -10,6 +10,7 @@
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <cmath>
+#include <utility>
 
 namespace remesh
 {
@@ -125,6 +126,14 @@ std::vector<VertexKind> findVertexKinds(const RemeshResult& result)
   return kinds;
 }
 
+/** Leaves of a diagram nothing but which facets the pieces are of. */
+void keepFacetsAlone(Diagram& diagram)
+{
+  Diagram kept;
+  kept.facets.swap(diagram.facets);
+  diagram = std::move(kept);
+}
+
 /** Vertices on features stay where they are. */
 Status place(const Task& task, const RunControl& control, RemeshResult& result)
 {
@@ -132,8 +141,18 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments };
-  Status status = placeVertices(problem, task.options.placement, control, result.locations,
-    result.dual.triangles, result.placement);
+  const VertexPlacement way = task.options.placement;
+  Status status =
+    choosePlaces(problem, way, control.step(0, 2), result.locations, result.placement.positions);
+  if (!task.options.keepDiagram)
+  {
+    keepFacetsAlone(result.diagram); // as long as they are of use
+  }
+  if (status.ok())
+  {
+    status = mendPlaces(
+      problem, way, control.step(1, 2), result.locations, result.dual.triangles, result.placement);
+  }
   result.seconds.placement += watch.lap();
   if (!task.options.keepDiagram)
   {

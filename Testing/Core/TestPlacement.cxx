@@ -168,7 +168,7 @@ void testFixed()
     placement.positions = places;
     std::vector<Triple> triangles = result.dual.triangles;
     std::vector<SurfaceLocation> locations = result.locations;
-    CHECK(placeVertices(problem, way, RunControl(), locations, triangles, placement).ok());
+    CHECK(test::placeVertices(problem, way, RunControl(), locations, triangles, placement).ok());
     if (way == VertexPlacement::Quadric || way == VertexPlacement::Fit)
     {
       checkLocations(problem, placement.positions, locations);
@@ -196,7 +196,8 @@ void testControl()
   {
     std::vector<Triple> triangles = result.dual.triangles;
     std::vector<SurfaceLocation> locations = result.locations;
-    return placeVertices(problem, VertexPlacement::Fit, control, locations, triangles, placement);
+    return test::placeVertices(
+      problem, VertexPlacement::Fit, control, locations, triangles, placement);
   };
   Placement expected;
   CHECK(run(RunControl(), expected).ok());

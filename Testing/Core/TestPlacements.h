@@ -42,6 +42,16 @@ inline RemeshResult remeshed(
   return result;
 }
 
+inline Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
+  const RunControl& control, std::vector<SurfaceLocation>& locations,
+  std::vector<Triple>& triangles, Placement& placement)
+{
+  const Status status =
+    choosePlaces(problem, way, control.step(0, 2), locations, placement.positions);
+  return status.ok() ? mendPlaces(problem, way, control.step(1, 2), locations, triangles, placement)
+                     : status;
+}
+
 /** The same mesh with its vertices placed another way. */
 inline RemeshResult placedAnew(const SurfaceMesh& mesh, double anisotropy,
   const RemeshResult& centroids, VertexPlacement placement)

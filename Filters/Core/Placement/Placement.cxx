@@ -297,32 +297,33 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
 }
 }
 
-Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
-  const RunControl& control, std::vector<SurfaceLocation>& locations,
-  std::vector<Triple>& triangles, Placement& placement)
+Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const RunControl& control,
+  const std::vector<SurfaceLocation>& locations, std::vector<Point3>& positions)
 {
-  const std::vector<Point3> start = startingPlaces(problem, placement.positions);
-  placement.positions = start;
-  const RunControl fitting = control.step(0, 2);
+  const std::vector<Point3> start = startingPlaces(problem, positions);
+  positions = start;
   Status status = Status::success();
   if (way == VertexPlacement::Quadric || way == VertexPlacement::Fit)
   {
-    status = approachQuadrics(problem, start, fitting.step(0, 2), placement.positions);
+    status = approachQuadrics(problem, start, control.step(0, 2), positions);
   }
   if (status.ok() && way == VertexPlacement::Fit)
   {
-    status = fitToSurface(problem, start, fitting.step(1, 2), placement.positions);
+    status = fitToSurface(problem, start, control.step(1, 2), positions);
   }
-  if (!status.ok())
+  if (status.ok() && way == VertexPlacement::Surface)
   {
-    return status;
+    positions = placesOnSurface(problem, locations, start);
   }
-  if (way == VertexPlacement::Surface)
-  {
-    placement.positions = placesOnSurface(problem, locations, start);
-  }
+  return status;
+}
+
+Status mendPlaces(const PlacementProblem& problem, VertexPlacement way, const RunControl& control,
+  std::vector<SurfaceLocation>& locations, std::vector<Triple>& triangles, Placement& placement)
+{
+  const std::vector<Point3> start = startingPlaces(problem, placement.positions);
   const NearbySurface surface(problem, leastHeight(problem.mesh));
-  status = mendFlips(problem, surface, locations, start, control.step(1, 2), triangles, placement);
+  Status status = mendFlips(problem, surface, locations, start, control, triangles, placement);
   if (status.ok())
   {
     status = mendStrays(problem, surface, locations, start, control.silent(), triangles, placement);

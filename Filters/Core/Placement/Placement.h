@@ -28,21 +28,31 @@ struct Placement
 };
 
 /**
- * Places the vertices and turns flipped triangles back (FlipRepair.h): first vertices move, then
- * some retreat to where they come to from the centroids (Retreat.h), then edges turn. Last,
- * moves and turns are tried for triangles that face other parts of the surface the wrong way, where
- * these are closer than their own.
+ * Places the vertices; triangles may be flipped then (`mendPlaces`).
  *
+ * @param locations K, the points of the surface closest to the centroids.
+ * @param positions if there are K, where the fixed vertices are (to the bit); else they are at
+ *        their centroids. Replaced.
+ * Deterministic. Cost: O(pieces + K); a round of the fit about as much as two of Lloyd's.
+ */
+Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const RunControl& control,
+  const std::vector<SurfaceLocation>& locations, std::vector<Point3>& positions);
+
+/**
+ * Turns flipped triangles back (FlipRepair.h): first vertices move, then some retreat to where they
+ * come to from the centroids (Retreat.h), then edges turn. Last, moves and turns are tried for
+ * triangles that face other parts of the surface the wrong way, where these are closer than their
+ * own.
+ *
+ * @param problem of its diagram only the pieces' facets are read.
  * @param locations K, the points of the surface closest to the centroids; replaced by those closest
  *        to the places, among the facets of the vertex's cell and those around it.
  * @param triangles of `problem.triangles`; a few may change to turn flipped ones back.
- * @param placement its positions, if there are K, say where the fixed vertices are (to the bit);
- *        else they are at their centroids. Replaced.
- * Deterministic. Cost: O(pieces + K); a round of the fit about as much as two of Lloyd's.
+ * @param placement with the chosen places; a few may change.
+ * Deterministic. Cost: O(pieces + K).
  */
-Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
-  const RunControl& control, std::vector<SurfaceLocation>& locations,
-  std::vector<Triple>& triangles, Placement& placement);
+Status mendPlaces(const PlacementProblem& problem, VertexPlacement way, const RunControl& control,
+  std::vector<SurfaceLocation>& locations, std::vector<Triple>& triangles, Placement& placement);
 }
 
 #endif
