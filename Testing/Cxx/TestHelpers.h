@@ -24,6 +24,7 @@
 #include <Eigen/Geometry>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace remesh::test
@@ -120,6 +121,13 @@ public:
     this->Observe(algorithm, vtkCommand::WarningEvent, this->Warnings);
     this->Observe(algorithm->GetExecutive(), vtkCommand::ErrorEvent, this->ExecutiveErrors);
   }
+  ~Messages()
+  {
+    for (const auto& [object, tag] : this->Observers)
+    {
+      object->RemoveObserver(tag);
+    }
+  }
   Messages(const Messages&) = delete;
   void operator=(const Messages&) = delete;
 
@@ -144,9 +152,10 @@ private:
         static_cast<std::vector<std::string>*>(texts)->emplace_back(
           text ? static_cast<const char*>(text) : "");
       });
-    object->AddObserver(event, command);
+    this->Observers.emplace_back(object, object->AddObserver(event, command));
   }
 
+  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observers;
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
   std::vector<std::string> ExecutiveErrors;
