@@ -2,12 +2,15 @@
 
 #include "vtkEmbeddedSurfaceInternals.h"
 
+#include "Adaptors/OutputPorts.h"
+#include "Adaptors/SurfaceIntake.h"
 #include "Remesh.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkAnisotropicRemesher);
 
@@ -41,13 +44,17 @@ void vtkAnisotropicRemesher::SetFeatureLabelArray(const char* name)
 int vtkAnisotropicRemesher::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->Internals->LastRun = {}; // an error does not leave facts of an earlier run
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
   const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints() : this->NumberOfPoints;
   const bool isTolerance = this->DistanceTolerance > 0.0 && !initialSites;
-  if (points < 4 && !isTolerance)
+  const bool isEmpty = remesh::checkForPolygons(vtkPolyData::GetData(inputVector[0])).code ==
+    remesh::StatusCode::EmptyInput;
+  if (points < 4 && !isTolerance && !isEmpty)
   {
     vtkErrorMacro("A mesh needs at least 4 points; "
       << points << (initialSites ? " initial sites were given." : " were asked for."));
+    remesh::emptyPorts(outputVector);
     return 0;
   }
   const bool preserve = this->PreserveFeatures && !initialSites;

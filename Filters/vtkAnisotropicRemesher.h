@@ -24,7 +24,8 @@
  * else each is put at the surface's point closest to it.
  * Output ports: see vtkRestrictedVoronoiAlgorithm.
  *
- * Empty input gives empty outputs, and so, with a warning, does one whose polygons have no area.
+ * Empty input gives empty outputs, whatever arrays are chosen, and so, with a warning, does one
+ * whose polygons have no area.
  * Unusable input (no polygons, non-finite coordinates, fewer than 4 points asked for, wrong arrays)
  * is an error, and all outputs are empty. An aborted run leaves them empty and is no error.
  *

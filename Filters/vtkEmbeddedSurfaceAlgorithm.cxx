@@ -2,6 +2,9 @@
 
 #include "vtkEmbeddedSurfaceInternals.h"
 
+#include "Adaptors/OutputPorts.h"
+#include "Adaptors/SurfaceIntake.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -165,6 +168,10 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   remesh::PreparationRequest& request)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (remesh::Status status = remesh::checkForPolygons(input); !status.ok())
+  {
+    return status;
+  }
   request.gaussMap = self->EmbeddingMode == GAUSS_MAP;
   request.anisotropy = self->Anisotropy;
   request.normalSmoothingPasses = self->NormalSmoothingPasses;
@@ -221,8 +228,8 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
 }
 
 vtkEmbeddedSurfaceAlgorithm::vtkInternals::Outcome
-vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(
-  vtkEmbeddedSurfaceAlgorithm* self, const std::function<remesh::Status()>& work)
+vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(vtkEmbeddedSurfaceAlgorithm* self,
+  vtkInformationVector* outputVector, const std::function<remesh::Status()>& work)
 {
   static const char* const names[] = { "", "Sequential", "STDThread", "TBB" };
   bool available = true;
@@ -244,6 +251,10 @@ vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(
     status = { remesh::StatusCode::OutOfMemory, "There is not enough memory for this run." };
   }
   self->Internals->LastRun.Execution = execution;
+  if (!status.ok())
+  {
+    remesh::emptyPorts(outputVector);
+  }
   switch (status.code)
   {
     case remesh::StatusCode::Ok:

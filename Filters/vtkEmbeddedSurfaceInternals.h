@@ -46,23 +46,27 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
     std::map<std::string, double> Seconds;
   } LastRun;
 
-  /** The filter's parameters and chosen arrays as a request; fails for arrays that are missing. */
+  /**
+   * The filter's parameters and chosen arrays as a request; fails for an input without polygons
+   * (EmptyInput, InvalidInput as checkForPolygons), and then for arrays that are missing.
+   */
   static remesh::Status MakeRequest(vtkEmbeddedSurfaceAlgorithm* self,
     vtkInformationVector** inputVector, remesh::PreparationRequest& request);
 
   enum class Outcome
   {
     Done,    ///< there is a result to write
-    Nothing, ///< empty input or cancelled: the outputs stay empty, and RequestData returns 1
-    Failed   ///< an error was reported: the outputs stay empty, and RequestData returns 0
+    Nothing, ///< empty input or cancelled: the outputs are empty, and RequestData returns 1
+    Failed   ///< an error was reported: the outputs are empty, and RequestData returns 0
   };
 
   /**
    * Runs `work` in the filter's threads and back-end, and turns its status into VTK's errors.
    * `work` sets LastRun.Intake: an input that has triangles, but none of use, gives a warning.
+   * What `work` wrote to the outputs is taken back unless all of it was done.
    */
-  static Outcome Execute(
-    vtkEmbeddedSurfaceAlgorithm* self, const std::function<remesh::Status()>& work);
+  static Outcome Execute(vtkEmbeddedSurfaceAlgorithm* self, vtkInformationVector* outputVector,
+    const std::function<remesh::Status()>& work);
 };
 
 #endif

@@ -53,7 +53,7 @@ int vtkGaussMapEmbedding::RequestData(
   facts = {};
   remesh::PreparedSurface prepared;
   remesh::PreparationRequest request;
-  const auto outcome = vtkInternals::Execute(this,
+  const auto outcome = vtkInternals::Execute(this, outputVector,
     [&]() -> remesh::Status
     {
       remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
@@ -64,6 +64,11 @@ int vtkGaussMapEmbedding::RequestData(
         status = remesh::prepareSurface(input, request, remesh::makeRunControl(this), prepared);
       }
       facts.Intake = prepared.intake;
+      if (status.ok())
+      {
+        output->ShallowCopy(input);
+        addEmbedding(prepared, request.embedding == nullptr, output);
+      }
       return status;
     });
   if (outcome != vtkInternals::Outcome::Done)
@@ -74,8 +79,6 @@ int vtkGaussMapEmbedding::RequestData(
   {
     vtkWarningMacro(<< warning);
   }
-  output->ShallowCopy(input);
-  addEmbedding(prepared, request.embedding == nullptr, output);
   return 1;
 }
 

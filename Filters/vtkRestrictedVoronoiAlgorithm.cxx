@@ -110,7 +110,7 @@ struct PortChoice
   int LargestDimension; ///< of the array `Embedding` of port 1
 };
 
-/** Fills the ports one by one; all are empty again when the run was aborted. */
+/** Fills the ports one by one; what is in them is of no use when the run was aborted. */
 remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice& choice,
   remesh::RunControl control, vtkInformationVector* ports, std::vector<std::string>& warnings)
 {
@@ -164,10 +164,6 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
     control.report(++done / std::size(steps));
     if (control.cancelled())
     {
-      for (int port = 0; port < ports->GetNumberOfInformationObjects(); ++port)
-      {
-        vtkDataObject::GetData(ports, port)->Initialize();
-      }
       return remesh::Status::cancelled();
     }
   }
@@ -254,7 +250,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
     facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
     return status;
   };
-  const auto ended = vtkInternals::Execute(this,
+  const auto ended = vtkInternals::Execute(this, outputVector,
     [&]() -> remesh::Status
     {
       remesh::PreparationRequest request;

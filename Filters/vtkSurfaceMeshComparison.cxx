@@ -2,6 +2,7 @@
 
 #include "Adaptors/ComparisonData.h"
 #include "Adaptors/ExecutionScope.h"
+#include "Adaptors/OutputPorts.h"
 #include "Adaptors/ProgressAdaptor.h"
 
 #include "vtkInformation.h"
@@ -159,10 +160,10 @@ int vtkSurfaceMeshComparison::RequestData(
   catch (const std::bad_alloc&)
   {
     status = { remesh::StatusCode::OutOfMemory, "There is not enough memory for this run." };
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      vtkDataObject::GetData(outputVector, port)->Initialize();
-    }
+  }
+  if (!status.ok())
+  {
+    remesh::emptyPorts(outputVector);
   }
   if (surfaces.referenceIsEmpty)
   {

@@ -352,9 +352,8 @@ void removeGhosts(vtkPolyData* input, TriangleSoup& soup)
 }
 }
 
-Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup)
+Status checkForPolygons(vtkPolyData* input)
 {
-  soup = TriangleSoup();
   if (input == nullptr)
   {
     return Status::invalid("There is no input surface.");
@@ -369,6 +368,16 @@ Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup)
       std::to_string(input->GetNumberOfPoints()) + " points, " +
       std::to_string(input->GetNumberOfVerts()) + " vertices and " +
       std::to_string(input->GetNumberOfLines()) + " lines.");
+  }
+  return Status::success();
+}
+
+Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup)
+{
+  soup = TriangleSoup();
+  if (Status found = checkForPolygons(input); !found.ok())
+  {
+    return found;
   }
   copyPoints(input, soup.points);
   CellReader reader(input, soup);

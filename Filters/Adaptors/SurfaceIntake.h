@@ -32,6 +32,13 @@ namespace remesh
  * range. Cost: O(points + cells), polygons of more than four points apart.
  */
 Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup);
+
+/**
+ * Whether there is anything to read, before arrays are looked for: an empty input has none.
+ *
+ * @return what readTriangleSoup does for inputs without polygons and strips.
+ */
+Status checkForPolygons(vtkPolyData* input);
 }
 
 #endif
