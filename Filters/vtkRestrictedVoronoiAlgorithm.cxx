@@ -5,6 +5,7 @@
 #include "Adaptors/DiagramOutput.h"
 #include "Adaptors/NumberRun.h"
 #include "Adaptors/ProgressAdaptor.h"
+#include "Adaptors/ReservedNames.h"
 #include "Features/FeatureGraph.h"
 #include "MeshDistance.h"
 
@@ -117,6 +118,12 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
   using Ports = vtkRestrictedVoronoiAlgorithm;
   remesh::DiagramPoints points;
   remesh::EdgeTable edges;
+  // The executive passed the input's field data: what it tells of an earlier run is not true here.
+  for (int port = 0; port < ports->GetNumberOfInformationObjects(); ++port)
+  {
+    remesh::removeReserved(
+      remesh::meshFactNames, vtkDataObject::GetData(ports, port)->GetFieldData());
+  }
   const std::function<void()> steps[] = {
     [&]() { remesh::writeSurface(source, vtkPolyData::GetData(ports, Ports::SURFACE), warnings); },
     [&]()

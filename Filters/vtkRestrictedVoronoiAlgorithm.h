@@ -47,7 +47,8 @@
  * - of cell arrays each triangle takes the value that covers most of it, cells of equal values
  *   together; values are never mixed;
  * - not carried over: global ids and ghost marks; with a warning, arrays of the wrong length and
- *   those named like the mesh's own.
+ *   those named like the mesh's own, also like those that only other runs have (`CellWeightedMass`,
+ *   field data such as `MaximumDistance`).
  *
  * `Normals` are those of the surface there, given or estimated. Cells that a ghost array marks as
  * duplicate, refined or hidden are no part of the surface.

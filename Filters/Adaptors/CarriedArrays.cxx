@@ -68,8 +68,7 @@ std::string LostArrays::describe() const
 }
 
 std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset inputTuples,
-  const std::vector<vtkAbstractArray*>& replaced, Offset tuples, vtkDataSetAttributes* output,
-  LostArrays& lost)
+  const OwnArrays& own, Offset tuples, vtkDataSetAttributes* output, LostArrays& lost)
 {
   std::vector<CarriedArray> carried;
   for (int k = 0; k < input->GetNumberOfArrays(); ++k)
@@ -86,10 +85,11 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
     {
       lost.unfit.push_back(name);
     }
-    else if (!name.empty() && output->HasArray(name.c_str()))
+    else if (isReserved(own.names, name))
     {
       // The normals of the mesh stand for those of the input, used or not.
-      if (name != "Normals" && std::find(replaced.begin(), replaced.end(), array) == replaced.end())
+      if (name != "Normals" &&
+        std::find(own.replaced.begin(), own.replaced.end(), array) == own.replaced.end())
       {
         lost.taken.push_back(name);
       }
@@ -118,14 +118,13 @@ void carryFieldData(vtkPolyData* input, vtkPolyData* output, LostArrays& lost)
   {
     vtkAbstractArray* array = from->GetAbstractArray(k);
     const std::string name = nameOf(array);
-    vtkAbstractArray* there = name.empty() ? nullptr : to->GetAbstractArray(name.c_str());
-    if (!there)
-    {
-      to->AddArray(array);
-    }
-    else if (there != array) // which the pipeline may have passed already
+    if (isReserved(meshFactNames, name))
     {
       lost.taken.push_back(name);
+    }
+    else if (name.empty() || !to->HasArray(name.c_str())) // the pipeline may have passed it already
+    {
+      to->AddArray(array);
     }
   }
 }

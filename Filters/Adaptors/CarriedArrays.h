@@ -5,12 +5,13 @@
  * Arrays keep name, type, components with their names, information keys, lookup table and their
  * part as active scalars, vectors and so on. Not carried: ghost marks; global ids, which would no
  * longer be unique; arrays whose number of tuples is not that of the points or cells; and arrays
- * named like one that the mesh has already.
+ * of names that are reserved for the mesh's own (ReservedNames.h).
  */
 #ifndef remesh_CarriedArrays_h
 #define remesh_CarriedArrays_h
 
 #include "Adaptors/DiagramOutput.h"
+#include "Adaptors/ReservedNames.h"
 
 #include "vtkSmartPointer.h"
 
@@ -22,7 +23,7 @@ namespace remesh
 /** Names of arrays that are not carried, and why. */
 struct LostArrays
 {
-  std::vector<std::string> taken; ///< the mesh has its own of the name
+  std::vector<std::string> taken; ///< the mesh has, or could have, its own of the name
   std::vector<std::string> unfit; ///< not one tuple for each point or cell
 
   /** A sentence for the user, or nothing. */
@@ -36,17 +37,22 @@ struct CarriedArray
   int attribute;                            ///< vtkDataSetAttributes::AttributeTypes, or -1
 };
 
+/** The mesh's own arrays, which are there already. */
+struct OwnArrays
+{
+  Names names; ///< of all there may be
+  /** Those of the input whose values they stand for: these are left out without a warning. */
+  std::vector<vtkAbstractArray*> replaced;
+};
+
 /**
  * Empty arrays on the mesh for those of the input that are carried.
  *
  * @param inputTuples points or cells of the input.
- * @param replaced arrays whose values the mesh's own array of the same name stands for: they are
- *        left out without a warning.
- * @param lost gets the others, but ghost marks and global ids.
+ * @param lost gets those that are not, but ghost marks, global ids and replaced ones.
  */
 std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset inputTuples,
-  const std::vector<vtkAbstractArray*>& replaced, Offset tuples, vtkDataSetAttributes* output,
-  LostArrays& lost);
+  const OwnArrays& own, Offset tuples, vtkDataSetAttributes* output, LostArrays& lost);
 
 /**
  * Point arrays at each vertex's place on the input: floating-point arrays are interpolated linearly
@@ -65,7 +71,10 @@ void carryPointArrays(const DiagramSource& source, vtkPolyData* output, LostArra
  */
 void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost);
 
-/** Field data: the arrays themselves, but those named like facts that the mesh has already. */
+/**
+ * Field data: the arrays themselves, but those named like facts of the mesh, which is to have its
+ * own already.
+ */
 void carryFieldData(vtkPolyData* input, vtkPolyData* output, LostArrays& lost);
 }
 

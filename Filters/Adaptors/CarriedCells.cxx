@@ -226,7 +226,7 @@ void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArray
   const std::vector<Triple>& triangles = source.result.dual.triangles;
   const auto count = static_cast<Offset>(triangles.size());
   const std::vector<CarriedArray> arrays = makeCarriedArrays(source.input->GetCellData(),
-    source.input->GetNumberOfCells(), {}, count, output->GetCellData(), lost);
+    source.input->GetNumberOfCells(), OwnArrays{}, count, output->GetCellData(), lost);
   if (arrays.empty() || count == 0)
   {
     return;

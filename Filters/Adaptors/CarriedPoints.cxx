@@ -138,7 +138,7 @@ void carryPointArrays(const DiagramSource& source, vtkPolyData* output, LostArra
   const auto count = static_cast<Offset>(source.result.locations.size());
   const std::vector<CarriedArray> arrays =
     makeCarriedArrays(source.input->GetPointData(), source.input->GetNumberOfPoints(),
-      source.prepared.usedArrays, count, output->GetPointData(), lost);
+      OwnArrays{ meshPointNames, source.prepared.usedArrays }, count, output->GetPointData(), lost);
   vtkNew<vtkIdList> nearest;
   for (const CarriedArray& array : arrays)
   {

@@ -1,6 +1,7 @@
 #include "Adaptors/ComparisonData.h"
 
 #include "Adaptors/ArrayHelpers.h"
+#include "Adaptors/ReservedNames.h"
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -187,6 +188,8 @@ void writeComparedMesh(vtkPolyData* input, const ComparedSurface& mesh,
   {
     copyAsTriangles(input, mesh, output);
   }
+  removeReserved(comparedCellNames, output->GetCellData());
+  removeReserved(comparedPointNames, output->GetPointData());
   const Columns columns{ output->GetCellData(), count, {} };
   const std::vector<TriangleQuality>& qualities = comparison.qualities;
   columns.add<vtkDoubleArray>("Quality", [&](Offset t) { return qualities[t].quality(); });
@@ -206,6 +209,7 @@ void writeComparedMesh(vtkPolyData* input, const ComparedSurface& mesh,
 void writeComparedReference(vtkPolyData* input, const Comparison& comparison, vtkPolyData* output)
 {
   output->ShallowCopy(input);
+  removeReserved(comparedPointNames, output->GetPointData());
   addDistances(comparison.referencePoints, output);
 }
 

@@ -2,6 +2,8 @@
 
 #include "TestCarriedArrays.h"
 
+#include "Adaptors/ReservedNames.h"
+
 #include "vtkBitArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -158,6 +160,54 @@ void testRoles()
   }
 }
 
+/** Facts and sums of an earlier run, which this one does not write, are not taken for its own. */
+void testEarlierFacts()
+{
+  const auto input = plane();
+  vtkNew<vtkDoubleArray> year;
+  year->SetName("Year");
+  year->InsertNextValue(2012.0);
+  input->GetFieldData()->AddArray(year);
+  addPointArray<vtkDoubleArray>(input, "D", 1, [](const Point3& p, int) { return 1.0 + p[0]; });
+  const auto first = makeFilter(input, 120);
+  first->SetDensityArray("D");
+  first->SetNormalSmoothingRadius(0.3);
+  CHECK(run(first).empty());
+  vtkPolyData* mesh = first->GetOutput();
+  CHECK(mesh->GetPointData()->HasArray("CellWeightedMass"));
+  for (int k = 0; k < mesh->GetFieldData()->GetNumberOfArrays(); ++k)
+  {
+    const std::string name = mesh->GetFieldData()->GetArrayName(k);
+    check(name == "Year" || isReserved(meshFactNames, name), __FILE__, __LINE__,
+      name + " is not reserved");
+  }
+  vtkNew<vtkPolyData> again;
+  again->ShallowCopy(mesh);
+  again->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
+  const auto second = makeFilter(again, 60);
+  second->MeasureDistanceOff();
+  const std::vector<std::string> warnings = run(second);
+  CHECK_EQUAL(warnings.size(), std::size_t(1));
+  const std::string& text = warnings.empty() ? std::string() : warnings.front();
+  CHECK(text.find("named like arrays of the mesh's own") != std::string::npos);
+  CHECK(!second->GetOutput()->GetPointData()->HasArray("CellWeightedMass"));
+  for (const char* name :
+    { "MaximumDistance", "RMSDistance", "NormalSmoothingRadius", "CellWeightedMass" })
+  {
+    check(text.find(std::string("\"") + name + "\"") != std::string::npos, __FILE__, __LINE__,
+      std::string("no word of ") + name + " in: " + text);
+    CHECK(!second->GetOutput()->GetFieldData()->HasArray(name));
+  }
+  for (int port = 0; port < second->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkFieldData* facts = second->GetOutputDataObject(port)->GetFieldData();
+    CHECK(facts->HasArray("Year"));
+    CHECK_EQUAL(facts->HasArray("Seed") != 0, port == 0);
+    CHECK(!facts->HasArray("MaximumDistance"));
+  }
+  CHECK(mesh->GetFieldData()->HasArray("MaximumDistance"));
+}
+
 /** The mesh's own arrays win; one warning names what is lost, another what does not fit. */
 void testNamesAndLengths()
 {
@@ -197,6 +247,7 @@ int TestAttributes(int, char*[])
   testPointArrays();
   testNotANumber();
   testRoles();
+  testEarlierFacts();
   testNamesAndLengths();
   return result();
 }

@@ -303,6 +303,23 @@ class TestResults(CommandLineTest):
         expected = embedding.GetOutput().GetPointData().GetArray("Embedding")
         found = read(self.path("x.vtp")).GetPointData().GetArray("Embedding")
         self.assertTrue((vtk_to_numpy(found) == vtk_to_numpy(expected)).all())
+        # The radius of an earlier run, which the input still has, is not that of this one.
+        radius = numpy_to_vtk(numpy.array([0.7]), deep=True)
+        radius.SetName("NormalSmoothingRadius")
+        surface.GetFieldData().AddArray(radius)
+        write(surface, self.input("stale.vtp"))
+        found = []
+        for name in ("bare.vtp", "stale.vtp"):
+            result = self.run_program(self.input(name), "out.vtp", *SMALL, "--embedded-surface",
+                                      "x.vtp", "--report", "r.json")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            with open(self.path("r.json"), encoding="utf-8") as file:
+                self.assertNotIn("normal_smoothing_radius", json.load(file)["output"])
+            found.append(vtk_to_numpy(read(self.path("x.vtp")).GetPointData()
+                                      .GetArray("Embedding")))
+        self.assertTrue((found[0] == found[1]).all())
+        self.assertFalse(read(self.path("out.vtp")).GetFieldData().HasArray(
+            "NormalSmoothingRadius"))
 
     def test_isotropic(self):
         self.succeed(self.input(), "a.vtp", *SMALL, "--dimension", "3")
