@@ -6,6 +6,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace remesh
 {
@@ -41,6 +42,27 @@ std::string nameOf(vtkAbstractArray* array)
   return array->GetName() ? array->GetName() : "";
 }
 
+/** All that the array is active as: it may be scalars and vectors at once. */
+std::vector<int> attributesOf(vtkDataSetAttributes* data, int array)
+{
+  int indices[vtkDataSetAttributes::NUM_ATTRIBUTES];
+  data->GetAttributeIndices(indices);
+  std::vector<int> attributes;
+  for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+  {
+    if (indices[attribute] == array)
+    {
+      attributes.push_back(attribute);
+    }
+  }
+  return attributes;
+}
+
+bool contains(const std::vector<int>& attributes, int attribute)
+{
+  return std::find(attributes.begin(), attributes.end(), attribute) != attributes.end();
+}
+
 std::string join(const std::vector<std::string>& names)
 {
   std::string text;
@@ -67,6 +89,11 @@ std::string LostArrays::describe() const
   return text.empty() ? text : "Arrays of the input are not carried over, " + text + ".";
 }
 
+bool CarriedArray::is(int attribute) const
+{
+  return contains(this->attributes, attribute);
+}
+
 std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset inputTuples,
   const OwnArrays& own, Offset tuples, vtkDataSetAttributes* output, LostArrays& lost)
 {
@@ -75,9 +102,9 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
   {
     vtkAbstractArray* array = input->GetAbstractArray(k);
     const std::string name = nameOf(array);
-    const int attribute = input->IsArrayAnAttribute(k);
+    std::vector<int> attributes = attributesOf(input, k);
     if (name == vtkDataSetAttributes::GhostArrayName() ||
-      attribute == vtkDataSetAttributes::GLOBALIDS)
+      contains(attributes, vtkDataSetAttributes::GLOBALIDS))
     {
       continue;
     }
@@ -96,15 +123,18 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
     }
     else
     {
-      carried.push_back({ array, makeLike(array, tuples), attribute });
+      carried.push_back({ array, makeLike(array, tuples), std::move(attributes) });
     }
   }
   for (const CarriedArray& array : carried)
   {
     const int index = output->AddArray(array.target);
-    if (array.attribute >= 0 && !output->GetAbstractAttribute(array.attribute))
+    for (const int attribute : array.attributes)
     {
-      output->SetActiveAttribute(index, array.attribute);
+      if (!output->GetAbstractAttribute(attribute))
+      {
+        output->SetActiveAttribute(index, attribute);
+      }
     }
   }
   return carried;

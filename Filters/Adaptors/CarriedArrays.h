@@ -34,7 +34,9 @@ struct CarriedArray
 {
   vtkAbstractArray* source;
   vtkSmartPointer<vtkAbstractArray> target; ///< as many tuples as the mesh has points or cells
-  int attribute;                            ///< vtkDataSetAttributes::AttributeTypes, or -1
+  std::vector<int> attributes; ///< vtkDataSetAttributes::AttributeTypes that it is active as
+
+  bool is(int attribute) const;
 };
 
 /** The mesh's own arrays, which are there already. */

@@ -123,7 +123,7 @@ bool interpolateArray(const DiagramSource& source, const CarriedArray& array)
   using Types = vtkTypeList::Create<unsigned char, float, double>;
   using Dispatcher = vtkArrayDispatch::Dispatch2BySameValueType<Types>;
   const bool areNormals =
-    array.attribute == vtkDataSetAttributes::NORMALS && from->GetNumberOfComponents() == 3;
+    array.is(vtkDataSetAttributes::NORMALS) && from->GetNumberOfComponents() == 3;
   const Interpolate work{ source, areNormals };
   if (!Dispatcher::Execute(from, to, work))
   {

@@ -160,6 +160,36 @@ void testRoles()
   }
 }
 
+/** An array may be active as several things at once, and none gets lost. */
+void testSeveralRoles()
+{
+  const auto input = plane();
+  addPointArray<vtkDoubleArray>(input, "Flow", 3, [](const Point3& p, int c) { return p[c]; });
+  addPointArray<vtkIdTypeArray>(input, "Ids", 1, [](const Point3& p, int) { return 100 * p[0]; });
+  vtkPointData* from = input->GetPointData();
+  from->SetActiveScalars("Flow");
+  from->SetActiveVectors("Flow");
+  from->SetActiveTCoords("Flow");
+  from->SetActivePedigreeIds("Ids");
+  from->SetActiveGlobalIds("Ids");
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  label->SetNumberOfValues(input->GetNumberOfCells());
+  label->Fill(5);
+  input->GetCellData()->AddArray(label);
+  input->GetCellData()->SetActiveScalars("Label");
+  input->GetCellData()->SetActiveGlobalIds("Label");
+  const Filter filter = makeFilter(input, 100);
+  CHECK(run(filter).empty());
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  vtkDataArray* flow = data->GetArray("Flow");
+  CHECK(flow && data->GetScalars() == flow && data->GetVectors() == flow);
+  CHECK(data->GetTCoords() == flow);
+  // Ids that would repeat are no ids, whatever else they are.
+  CHECK(!data->HasArray("Ids") && !data->GetGlobalIds() && !data->GetPedigreeIds());
+  CHECK(!filter->GetOutput()->GetCellData()->HasArray("Label"));
+}
+
 /** Facts and sums of an earlier run, which this one does not write, are not taken for its own. */
 void testEarlierFacts()
 {
@@ -247,6 +277,7 @@ int TestAttributes(int, char*[])
   testPointArrays();
   testNotANumber();
   testRoles();
+  testSeveralRoles();
   testEarlierFacts();
   testNamesAndLengths();
   return result();
