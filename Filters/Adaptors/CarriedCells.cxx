@@ -10,98 +10,16 @@
  */
 #include "Adaptors/ArrayHelpers.h"
 #include "Adaptors/CarriedArrays.h"
+#include "Adaptors/CellOrder.h"
 #include "Delaunay/TriangleCover.h"
 
-#include "vtkArrayDispatch.h"
-#include "vtkBitArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArrayRange.h"
 #include "vtkIdList.h"
-#include "vtkStringArray.h"
-
-#include <functional>
 
 namespace remesh
 {
 namespace
 {
-/** Negative, 0 or positive, as the value of one cell comes before, with or after another's. */
-using CellOrder = std::function<int(vtkIdType, vtkIdType)>;
-
-/** A total order, also with NaN: last, and equal to itself. */
-template <class Value>
-int compare(const Value& a, const Value& b)
-{
-  if (a < b)
-  {
-    return -1;
-  }
-  return b < a ? 1 : static_cast<int>(a != a) - static_cast<int>(b != b);
-}
-
-struct MakeOrder
-{
-  template <class Array>
-  void operator()(Array* array, CellOrder& order) const
-  {
-    order = [tuples = vtk::DataArrayTupleRange(array), size = array->GetNumberOfComponents()](
-              vtkIdType a, vtkIdType b)
-    {
-      const auto first = tuples[a];
-      const auto second = tuples[b];
-      int result = 0;
-      for (int c = 0; c < size && result == 0; ++c)
-      {
-        using Value = typename Array::ValueType;
-        result = compare<Value>(first[c], second[c]);
-      }
-      return result;
-    };
-  }
-};
-
-/** Compares any array's tuples with `value(index)`. */
-template <class Value>
-CellOrder orderOfValues(int size, const Value& value)
-{
-  return [size, value](vtkIdType a, vtkIdType b)
-  {
-    int result = 0;
-    for (int c = 0; c < size && result == 0; ++c)
-    {
-      result = compare(value(a * size + c), value(b * size + c));
-    }
-    return result;
-  };
-}
-
-CellOrder orderOf(vtkAbstractArray* array)
-{
-  const int size = array->GetNumberOfComponents();
-  if (auto* strings = vtkStringArray::SafeDownCast(array))
-  {
-    return orderOfValues(
-      size, [strings](vtkIdType k) -> const vtkStdString& { return strings->GetPointer(0)[k]; });
-  }
-  if (auto* bits = vtkBitArray::SafeDownCast(array))
-  {
-    return orderOfValues(size, [bits](vtkIdType k) { return bits->GetValue(k); });
-  }
-  CellOrder order;
-  auto* data = vtkDataArray::SafeDownCast(array);
-  if (data && !vtkArrayDispatch::Dispatch::Execute(data, MakeOrder{}, order))
-  {
-    order = orderOfValues(size,
-      [data, size](vtkIdType k)
-      { return data->GetComponent(k / size, static_cast<int>(k % size)); });
-  }
-  if (!data)
-  {
-    order = [](vtkIdType a, vtkIdType b) { return compare(a, b); }; // no values that one can tell
-  }
-  return order;
-}
-
 struct CellShare
 {
   vtkIdType cell;

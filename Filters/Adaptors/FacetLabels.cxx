@@ -1,42 +1,15 @@
 #include "Adaptors/FacetLabels.h"
 
+#include "Adaptors/CellOrder.h"
+
 #include "vtkDataArray.h"
 #include "vtkStringArray.h"
 
-#include <cmath>
 #include <map>
 #include <string>
 
 namespace remesh
 {
-namespace
-{
-/** Numbers the distinct values of the facets' cells in the order in which they come. */
-template <class Value, class Read>
-void numberValues(const SurfaceMesh& mesh, const Read& read, std::vector<Index>& labels)
-{
-  std::map<Value, Index> numbers;
-  labels.clear();
-  for (const Offset cell : mesh.facetInputCells)
-  {
-    labels.push_back(numbers.emplace(read(cell), static_cast<Index>(numbers.size())).first->second);
-  }
-}
-
-/** A tuple that can be ordered: all that are no numbers count as one. */
-std::vector<double> readTuple(vtkDataArray* array, Offset cell)
-{
-  std::vector<double> tuple(2 * static_cast<std::size_t>(array->GetNumberOfComponents()), 0.0);
-  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-  {
-    const double value = array->GetComponent(cell, c);
-    tuple[2 * c] = std::isnan(value) ? 0.0 : value;
-    tuple[2 * c + 1] = std::isnan(value) ? 1.0 : 0.0;
-  }
-  return tuple;
-}
-}
-
 Status readFacetLabels(const SurfaceMesh& mesh, vtkAbstractArray* array, Offset numberOfInputCells,
   std::vector<Index>& labels)
 {
@@ -47,29 +20,20 @@ Status readFacetLabels(const SurfaceMesh& mesh, vtkAbstractArray* array, Offset 
     return Status::invalid(name + " has " + std::to_string(array->GetNumberOfTuples()) +
       " tuples for " + std::to_string(numberOfInputCells) + " cells.");
   }
-  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  if (!vtkDataArray::SafeDownCast(array) && !vtkStringArray::SafeDownCast(array))
   {
-    numberValues<std::vector<double>>(
-      mesh, [numbers](Offset cell) { return readTuple(numbers, cell); }, labels);
-    return Status::success();
+    return Status::invalid(name + " holds neither numbers nor strings: it cannot label the cells.");
   }
-  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  // The distinct values get numbers in the order in which they come.
+  const auto isBefore = [order = orderOf(array)](vtkIdType a, vtkIdType b)
+  { return order(a, b) < 0; };
+  std::map<vtkIdType, Index, decltype(isBefore)> numbers(isBefore);
+  labels.clear();
+  labels.reserve(mesh.facetInputCells.size());
+  for (const Offset cell : mesh.facetInputCells)
   {
-    const int size = strings->GetNumberOfComponents();
-    numberValues<std::string>(
-      mesh,
-      [strings, size](Offset cell)
-      {
-        std::string joined;
-        for (int c = 0; c < size; ++c)
-        {
-          joined += strings->GetValue(cell * size + c) + '\0';
-        }
-        return joined;
-      },
-      labels);
-    return Status::success();
+    labels.push_back(numbers.emplace(cell, static_cast<Index>(numbers.size())).first->second);
   }
-  return Status::invalid(name + " holds neither numbers nor strings: it cannot label the cells.");
+  return Status::success();
 }
 }

@@ -14,7 +14,7 @@ namespace remesh
 {
 /**
  * One number per facet, equal where the tuples of their cells are: numbers of any type and number
- * of components, compared as doubles, or strings.
+ * of components, or strings, compared as CellOrder.h tells.
  *
  * @return InvalidInput, with the array's name, for a wrong number of tuples or another type.
  */
