@@ -10,7 +10,8 @@
  *
  * Output ports:
  * - 0 `Mesh`: the mesh with all its arrays but those named like the filter's own (other cells than
- *   triangles replaced by triangles, with their cell arrays).
+ *   triangles replaced by triangles, with their cell arrays; then without cell arrays that have not
+ *   one tuple for each cell and, where cells are cut, without global ids).
  *   Cell arrays: `Quality` (1 / RadiusRatio: 1 for equilateral triangles, 0 for those without
  *   area), `MinimumAngle` (degrees), `RadiusRatio` (circumradius over twice the inradius, >= 1) and
  *   `EdgeRatio` (longest over shortest edge, >= 1), both 1e30 where they are infinite, all by the

@@ -9,6 +9,7 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace remesh
@@ -26,6 +27,28 @@ void addDistances(const PointDistances& points, vtkPolyData* output)
   }
 }
 
+/**
+ * The cell arrays that triangles can take: one tuple for each cell, and global ids only where no
+ * cell becomes several triangles.
+ */
+vtkSmartPointer<vtkCellData> cellArraysToCopy(vtkPolyData* input, const ComparedSurface& mesh)
+{
+  auto arrays = vtkSmartPointer<vtkCellData>::New();
+  arrays->ShallowCopy(input->GetCellData());
+  const std::vector<Offset>& cells = mesh.inputCells; // triangles of one cell are in a row
+  const bool isCut = std::adjacent_find(cells.begin(), cells.end()) != cells.end();
+  vtkAbstractArray* ids = arrays->GetGlobalIds();
+  for (int k = arrays->GetNumberOfArrays() - 1; k >= 0; --k)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(k);
+    if (array->GetNumberOfTuples() != input->GetNumberOfCells() || (isCut && array == ids))
+    {
+      arrays->RemoveArray(k);
+    }
+  }
+  return arrays;
+}
+
 /** The input's points and field data, its polygons and strips as triangles, with their cell data.
  */
 void copyAsTriangles(vtkPolyData* input, const ComparedSurface& mesh, vtkPolyData* output)
@@ -37,12 +60,13 @@ void copyAsTriangles(vtkPolyData* input, const ComparedSurface& mesh, vtkPolyDat
   output->SetPolys(makeCells(count, 3, {},
     [&](Offset t, vtkIdType* ids)
     { std::copy(mesh.triangles[t].begin(), mesh.triangles[t].end(), ids); }));
+  const vtkSmartPointer<vtkCellData> from = cellArraysToCopy(input, mesh);
   vtkCellData* cells = output->GetCellData();
   cells->CopyAllOn();
-  cells->CopyAllocate(input->GetCellData(), count);
+  cells->CopyAllocate(from, count);
   for (Offset t = 0; t < count; ++t)
   {
-    cells->CopyData(input->GetCellData(), mesh.inputCells[t], t);
+    cells->CopyData(from, mesh.inputCells[t], t);
   }
 }
 
@@ -180,7 +204,9 @@ void writeComparedMesh(vtkPolyData* input, const ComparedSurface& mesh,
   const Comparison& comparison, vtkPolyData* output)
 {
   const auto count = static_cast<Offset>(mesh.triangles.size());
-  if (input->GetNumberOfCells() == count && input->GetPolys()->IsHomogeneous() == 3)
+  // With a vertex and a strip of two triangles there are as many cells as triangles, too.
+  if (input->GetNumberOfCells() == count && input->GetNumberOfPolys() == count &&
+    input->GetPolys()->IsHomogeneous() == 3)
   {
     output->ShallowCopy(input);
   }
