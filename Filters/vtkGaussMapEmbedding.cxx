@@ -3,6 +3,7 @@
 #include "vtkEmbeddedSurfaceInternals.h"
 
 #include "Adaptors/ArrayHelpers.h"
+#include "Adaptors/Distribution.h"
 #include "Adaptors/ProgressAdaptor.h"
 
 #include "vtkInformation.h"
@@ -78,6 +79,11 @@ int vtkGaussMapEmbedding::RequestData(
   for (const std::string& warning : prepared.warnings)
   {
     vtkWarningMacro(<< warning);
+  }
+  const std::string distribution = remesh::describeDistribution(outputVector, input);
+  if (!distribution.empty())
+  {
+    vtkWarningMacro(<< distribution);
   }
   return 1;
 }

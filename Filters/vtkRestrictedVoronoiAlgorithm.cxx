@@ -3,6 +3,7 @@
 #include "vtkEmbeddedSurfaceInternals.h"
 
 #include "Adaptors/DiagramOutput.h"
+#include "Adaptors/Distribution.h"
 #include "Adaptors/NumberRun.h"
 #include "Adaptors/ProgressAdaptor.h"
 #include "Adaptors/ReservedNames.h"
@@ -296,7 +297,13 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   {
     return ended == vtkInternals::Outcome::Nothing;
   }
-  for (const std::string& warning : warningsOf(prepared, given, options, result))
+  std::vector<std::string> warnings = warningsOf(prepared, given, options, result);
+  const std::string distribution = remesh::describeDistribution(outputVector, input);
+  if (!distribution.empty())
+  {
+    warnings.push_back(distribution);
+  }
+  for (const std::string& warning : warnings)
   {
     vtkWarningMacro(<< warning);
   }

@@ -1,6 +1,7 @@
 #include "vtkSurfaceMeshComparison.h"
 
 #include "Adaptors/ComparisonData.h"
+#include "Adaptors/Distribution.h"
 #include "Adaptors/ExecutionScope.h"
 #include "Adaptors/OutputPorts.h"
 #include "Adaptors/ProgressAdaptor.h"
@@ -164,6 +165,12 @@ int vtkSurfaceMeshComparison::RequestData(
   if (!status.ok())
   {
     remesh::emptyPorts(outputVector);
+  }
+  const std::string distribution =
+    status.ok() ? remesh::describeDistribution(outputVector, mesh) : "";
+  if (!distribution.empty())
+  {
+    vtkWarningMacro(<< distribution);
   }
   if (surfaces.referenceIsEmpty)
   {

@@ -57,6 +57,8 @@
  * `NormalDeviation` and `Flipped` go by the order of the points of the triangles of both: they mean
  * something on a consistently oriented reference only (`ReferenceIsConsistentlyOriented`).
  *
+ * Both surfaces must be whole: where they are distributed over processes, a warning tells so.
+ *
  * An input that cannot be used is an error; an empty mesh gives empty outputs; an empty reference
  * is as none, with a warning. The output does not depend on the threads or the back-end.
  *

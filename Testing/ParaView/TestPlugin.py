@@ -34,7 +34,11 @@ LARGEST = (1e299, 2**31 - 1, 2**63 - 1)  # VTK's double, int and vtkIdType
 
 
 def check_against_class(source, name):
-    """Defaults and ranges of the properties are the class's; no Set method lacks a property."""
+    """Defaults and ranges of the properties are the class's; no Set method lacks a property.
+
+    The filter is for one process alone: it needs the whole surface.
+    """
+    assert source.SMProxy.GetProcessSupport() == source.SMProxy.SINGLE_PROCESS, name
     try:
         import anisotropic_remeshing
     except ImportError:

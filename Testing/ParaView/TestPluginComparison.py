@@ -54,6 +54,7 @@ def check_against_class(source):
 mesh = Sphere(Radius=1.0, ThetaResolution=40, PhiResolution=40)
 reference = Sphere(Radius=1.1, ThetaResolution=40, PhiResolution=40)
 comparison = SurfaceMeshComparison(Input=mesh, Reference=reference)
+assert comparison.SMProxy.GetProcessSupport() == comparison.SMProxy.SINGLE_PROCESS
 check_against_class(comparison)
 ports = comparison.SMProxy
 assert [ports.GetOutputPortName(i) for i in range(ports.GetNumberOfOutputPorts())] == PORTS
