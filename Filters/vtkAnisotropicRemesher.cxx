@@ -46,8 +46,10 @@ int vtkAnisotropicRemesher::RequestData(
 {
   this->Internals->LastRun = {}; // an error does not leave facts of an earlier run
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
-  const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints() : this->NumberOfPoints;
   const bool isTolerance = this->DistanceTolerance > 0.0 && !initialSites;
+  const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints()
+    : isTolerance                       ? 0 // a number asked for does not count
+                                        : this->NumberOfPoints;
   const bool isEmpty = remesh::checkForPolygons(vtkPolyData::GetData(inputVector[0])).code ==
     remesh::StatusCode::EmptyInput;
   if (points < 4 && !isTolerance && !isEmpty)
@@ -59,12 +61,13 @@ int vtkAnisotropicRemesher::RequestData(
   }
   const bool preserve = this->PreserveFeatures && !initialSites;
   this->Internals->Features = { preserve, this->FeatureAngle };
+  const bool isOnePercent = this->MaximumNumberOfExtraPoints == ONE_PERCENT;
   this->Internals->Tolerance = { isTolerance ? this->DistanceTolerance : 0.0,
-    this->DistanceToleranceIsAbsolute, this->MaximumNumberOfPoints };
+    this->DistanceToleranceIsAbsolute, this->MaximumNumberOfPoints, isOnePercent };
   remesh::RemeshOptions options;
   options.exactNumber = preserve;
   options.numberOfSites = this->NumberOfPoints;
-  options.maximumExtraPoints = this->MaximumNumberOfExtraPoints == ONE_PERCENT ? points / 100
+  options.maximumExtraPoints = isOnePercent         ? points / 100
     : this->MaximumNumberOfExtraPoints == UNLIMITED ? remesh::maximumIndex
                                                     : this->MaximumNumberOfExtraPoints;
   options.sampling = this->SamplingMethod == RANDOM ? remesh::SamplingMethod::Random

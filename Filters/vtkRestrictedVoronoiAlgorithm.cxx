@@ -178,15 +178,19 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
   return remesh::Status::success();
 }
 
-/** What a user should know of a result that is not as good as it could be. */
-std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
-  const remesh::GivenSites& given, const remesh::RemeshOptions& options,
-  const remesh::RemeshResult& result)
+/**
+ * What a user should know of a result that is not as good as it could be.
+ *
+ * @param hasNumber whether a number of points was asked for, and not a distance.
+ */
+std::vector<std::string> warningsOf(
+  const remesh::NumberOutcome& outcome, const remesh::RemeshOptions& options, bool hasNumber)
 {
-  std::vector<std::string> warnings = prepared.warnings;
-  if (!given.warning.empty())
+  const remesh::RemeshResult& result = outcome.result;
+  std::vector<std::string> warnings = outcome.prepared.warnings;
+  if (!outcome.given.warning.empty())
   {
-    warnings.push_back(given.warning);
+    warnings.push_back(outcome.given.warning);
   }
   if (!options.optimize)
   {
@@ -204,7 +208,7 @@ std::vector<std::string> warningsOf(const remesh::PreparedSurface& prepared,
       " points more than asked for, as features take so many, or so many cells "
       "reach several parts of the surface. More points or less anisotropy help.");
   }
-  if (2 * result.neededFeaturePoints > options.numberOfSites)
+  if (hasNumber && 2 * result.neededFeaturePoints > options.numberOfSites)
   {
     warnings.push_back("Corners and curves of the surface need " +
       std::to_string(result.neededFeaturePoints) + " of the " +
@@ -297,7 +301,8 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   {
     return ended == vtkInternals::Outcome::Nothing;
   }
-  std::vector<std::string> warnings = warningsOf(prepared, given, options, result);
+  const bool hasNumber = !(this->Internals->Tolerance.tolerance > 0.0);
+  std::vector<std::string> warnings = warningsOf(outcome, options, hasNumber);
   const std::string distribution = remesh::describeDistribution(outputVector, input);
   if (!distribution.empty())
   {

@@ -306,7 +306,8 @@ void WriteOutputs(const std::vector<Output>& outputs, OutputFiles& files, Run& r
 void RemeshSurface(const Options& options)
 {
   CheckOutputNames(options);
-  if (options.NumberOfPoints < 4 && options.InitialSites.empty())
+  const bool needsNumber = options.InitialSites.empty() && !(options.Tolerance > 0.0);
+  if (needsNumber && options.NumberOfPoints < 4)
   {
     throw Failure("a mesh needs at least 4 points, not " + std::to_string(options.NumberOfPoints));
   }

@@ -25,6 +25,7 @@ struct ToleranceRun
   NumberRequest request;
   RemeshOptions options;
   ToleranceOptions tolerance;
+  bool extraIsOnePercent;
   NumberOutcome& outcome;
   PreparedSurface& prepared = outcome.prepared;
   RemeshResult& result = outcome.result;
@@ -34,10 +35,20 @@ struct ToleranceRun
     return this->prepared.features ? &*this->prepared.features : nullptr;
   }
 
+  void setNumber(Offset number, RemeshOptions& with) const
+  {
+    with.numberOfSites = number;
+    if (this->extraIsOnePercent)
+    {
+      with.maximumExtraPoints = number / 100;
+    }
+  }
+
   /** A run with so many points. */
   Status make(Offset number, RemeshOptions with, const RunControl& control)
   {
-    this->request.preparation.numberOfSites = with.numberOfSites = number;
+    this->request.preparation.numberOfSites = number;
+    this->setNumber(number, with);
     return remeshWithNumber(this->request, with, control, this->outcome);
   }
 
@@ -90,7 +101,7 @@ struct ToleranceRun
     for (int descent = 0;; ++descent)
     {
       control = control.part(0.0, 1.0);
-      this->options.numberOfSites = number; // and of what goes on from there
+      this->setNumber(number, this->options); // and of what goes on from there
       Status status = this->make(number, this->options, control.part(0.0, 0.6));
       TwoSidedDistance distance;
       control.enterPhase("Distance", 0.6, 0.7);
@@ -150,7 +161,8 @@ Status remeshWithin(const ToleranceRequest& tolerance, NumberRequest request, Re
   const RunControl& control, NumberOutcome& outcome)
 {
   PreparedSurface& prepared = outcome.prepared;
-  ToleranceRun run{ std::move(request), std::move(options), {}, outcome };
+  ToleranceRun run{ std::move(request), std::move(options), {}, tolerance.extraIsOnePercent,
+    outcome };
   run.options.exactNumber = false;
   run.tolerance.mostPoints = tolerance.mostPoints;
   Offset number = std::min(pilotPoints, tolerance.mostPoints);

@@ -248,6 +248,10 @@ class TestResults(CommandLineTest):
             counts.append(report["output"]["points"])
         self.assertLess(2 * counts[0], counts[1])
         self.fail_with(1, "at least 1e-7", self.input(), "out2.vtp", "--tolerance", "1e-9")
+        # A number of points does not count then, not even one that would be too low.
+        self.succeed(self.input(), "few.vtp", "--tolerance", "3e-3", "--points", "0",
+                     "--embedded-surface", "x.vtp")
+        self.assertEqual(content(self.path("few.vtp")), content(self.path("out.vtp")))
 
     def test_density(self):
         # Half the spacing for x > 0: four times as many points, but for the triangles between.
