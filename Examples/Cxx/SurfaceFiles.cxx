@@ -16,6 +16,7 @@
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPLYWriter.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
@@ -25,6 +26,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
@@ -34,6 +36,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -211,6 +214,25 @@ void CheckCells(vtkPolyData* surface)
   }
 }
 
+/** One point for all with the same coordinates, in the order of the first of each. */
+vtkSmartPointer<vtkPoints> MergePoints(vtkPolyData* surface)
+{
+  const auto merged = vtkSmartPointer<vtkPoints>::New();
+  std::set<std::array<double, 3>> seen;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> point;
+    surface->GetPoint(i, point.data());
+    const bool isFinite = std::all_of(
+      point.begin(), point.end(), [](double coordinate) { return std::isfinite(coordinate); });
+    if (!isFinite || seen.insert(point).second) // the filter tells what is not finite
+    {
+      merged->InsertNextPoint(point.data());
+    }
+  }
+  return merged;
+}
+
 /** Wavefront OBJ. vtkOBJWriter does not notice a full disk. */
 std::string ObjText(vtkPolyData* surface)
 {
@@ -319,6 +341,19 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
   {
     throw Failure("cannot read '" + path + "': " + failure.what());
   }
+}
+
+vtkSmartPointer<vtkPolyData> ReadSites(
+  const std::string& path, Messages* messages, ProgressBar* progress)
+{
+  vtkSmartPointer<vtkPolyData> sites = ReadSurface(path, messages, progress);
+  if (LowerCaseExtension(path) == ".stl")
+  {
+    const vtkSmartPointer<vtkPoints> points = MergePoints(sites);
+    sites = vtkSmartPointer<vtkPolyData>::New();
+    sites->SetPoints(points);
+  }
+  return sites;
 }
 
 void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& temporary,

@@ -29,6 +29,13 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
   const std::string& path, Messages* messages, ProgressBar* progress);
 
 /**
+ * The same for sites. STL has the points of each triangle apart: those with equal coordinates are
+ * one site, at the place of the first; what comes back then has points alone.
+ */
+vtkSmartPointer<vtkPolyData> ReadSites(
+  const std::string& path, Messages* messages, ProgressBar* progress);
+
+/**
  * Writes `surface` to the file `temporary` in the format that `path` asks for. Throws Failure if
  * the file is not complete.
  */

@@ -142,7 +142,7 @@ void ReadInput(Run& run)
   }
   if (!options.InitialSites.empty())
   {
-    run.Remesher->SetInitialSitesData(ReadSurface(options.InitialSites, run.Log, run.Progress));
+    run.Remesher->SetInitialSitesData(ReadSites(options.InitialSites, run.Log, run.Progress));
   }
   run.Times.Read = watch.GetSeconds();
 }

@@ -337,6 +337,14 @@ class TestResults(CommandLineTest):
         self.succeed(self.input(), "b.vtp", "--initial-sites", "s.vtp", "--lloyd", "2")
         self.assertEqual(read(self.path("b.vtp")).GetNumberOfPoints(), 50)
 
+    def test_initial_sites_of_triangles_apart(self):
+        # STL has each point as often as triangles have it; sites are what is left of them.
+        self.succeed(self.input(), "a.stl", "--points", "50", "--lloyd", "2")
+        self.assertEqual(os.path.getsize(self.path("a.stl")), 84 + 50 * 96)
+        self.succeed(self.input(), "b.vtp", "--initial-sites", "a.stl", "--sites", "s.vtp")
+        self.assertEqual(read(self.path("s.vtp")).GetNumberOfPoints(), 50)
+        self.assertEqual(read(self.path("b.vtp")).GetNumberOfPoints(), 50)
+
     def test_replaces_and_follows_links(self):
         os.mkdir(self.path("there"))
         with open(self.path("there/out.vtp"), "w", encoding="utf-8") as file:
