@@ -86,14 +86,20 @@ std::size_t OutputFiles::Add(const std::string& path)
     throw Failure("'" + path + "' is an input, and would be overwritten", EXIT_USAGE);
   }
   // With its extension, which vtkPLYWriter would append.
-  file.Temporary =
-    file.Final + ".partial-" + std::to_string(getpid()) + LowerCaseExtension(file.Final);
+  const std::string end = std::to_string(getpid()) + LowerCaseExtension(file.Final);
+  file.Temporary = file.Final + ".partial-" + end;
+  file.Aside = file.Final + ".earlier-" + end;
   for (const File& other : this->Files)
   {
     if (other.Final == file.Final)
     {
       throw Failure("'" + path + "' is named for two outputs", EXIT_USAGE);
     }
+  }
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(file.Aside, error)))
+  {
+    throw Failure("cannot write '" + path + "': '" + file.Aside + "' is in the way");
   }
   const int descriptor = open(file.Temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
   if (descriptor < 0)
@@ -111,25 +117,62 @@ const std::string& OutputFiles::GetTemporaryName(std::size_t number) const
   return this->Files[number].Temporary;
 }
 
+/** Puts an older file aside, and the new one in its place. Throws Failure. */
+void OutputFiles::Replace(File& file)
+{
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(file.Final, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) // it has come there during the run
+  {
+    throw Failure("cannot write '" + file.Name + "': it is not an ordinary file");
+  }
+  file.Waits = fs::exists(status) && std::rename(file.Final.c_str(), file.Aside.c_str()) == 0;
+  file.Stands = (file.Waits || !fs::exists(status)) &&
+    std::rename(file.Temporary.c_str(), file.Final.c_str()) == 0;
+  if (!file.Stands)
+  {
+    throw Failure("cannot write '" + file.Name + "': " + std::strerror(errno));
+  }
+}
+
+void OutputFiles::TakeBack()
+{
+  for (File& file : this->Files)
+  {
+    if (file.Stands)
+    {
+      std::remove(file.Final.c_str());
+    }
+    if (file.Waits)
+    {
+      std::rename(file.Aside.c_str(), file.Final.c_str());
+    }
+    file.Stands = file.Waits = false;
+  }
+}
+
 void OutputFiles::Commit()
 {
-  for (const File& file : this->Files)
+  try
   {
-    if (std::rename(file.Temporary.c_str(), file.Final.c_str()) != 0)
+    for (File& file : this->Files)
     {
-      const std::string reason = std::strerror(errno);
-      for (const File& earlier : this->Files)
-      {
-        if (&earlier == &file)
-        {
-          break;
-        }
-        std::remove(earlier.Final.c_str());
-      }
-      throw Failure("cannot write '" + file.Name + "': " + reason);
+      Replace(file);
     }
   }
+  catch (const Failure&)
+  {
+    this->TakeBack();
+    throw;
+  }
   this->Committed = true;
+  for (const File& file : this->Files)
+  {
+    if (file.Waits)
+    {
+      std::remove(file.Aside.c_str());
+    }
+  }
 }
 
 std::string LowerCaseExtension(const std::string& path)

@@ -31,7 +31,10 @@ public:
   /** The name to write file `number` under. */
   const std::string& GetTemporaryName(std::size_t number) const;
 
-  /** Gives all files their names, replacing older ones. Throws Failure, and then none is left. */
+  /**
+   * Gives all files their names, replacing older ones. Throws Failure, and then none is left, and
+   * older ones are as they were.
+   */
   void Commit();
 
 private:
@@ -40,7 +43,12 @@ private:
     std::string Name; // as the user wrote it
     std::string Final;
     std::string Temporary;
+    std::string Aside;   // where an older file waits until all new ones have their names
+    bool Waits = false;  // whether there is one
+    bool Stands = false; // whether the new file has its name
   };
+  static void Replace(File& file);
+  void TakeBack();
   std::vector<File> Files;
   std::vector<std::string> Protected;
   bool Committed = false;

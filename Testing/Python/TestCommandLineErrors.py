@@ -182,6 +182,38 @@ class TestCannot(CommandLineTest):
         self.fail_with(1, "no polygons", self.save("points.obj", b"v 0 0 0\n"), "out.vtp")
         self.assertEqual(content(self.path("out.vtp")), b"older")
 
+    def test_failure_while_renaming_keeps_older_files(self):
+        # A folder takes the place of an output during the run: when all is written, and the first
+        # file has its name.
+        older = {"out.vtp": b"older", "s.vtp": b"older sites"}
+        for name, data in older.items():
+            with open(self.path(name), "wb") as file:
+                file.write(data)
+        os.mkfifo(self.path("in.vtp"))
+        with subprocess.Popen(
+                [self.program, "in.vtp", "out.vtp", *SMALL, "--sites", "s.vtp", "--cells", "c.vtp",
+                 "--edges", "e.vtp", "--report", "r.json"], cwd=self.folder,
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8") as process:
+            with open(self.path("in.vtp"), "wb") as pipe:  # opened when the program reads
+                os.mkdir(self.path("e.vtp"))
+                os.remove(self.path("in.vtp"))
+                os.symlink(self.input(), self.path("in.vtp"))
+                pipe.write(b"x")  # whether there is anything to read is asked first
+            output, error = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, output), (1, ""))
+        self.assertRegex(error, r"\Aremesh_surface: cannot write 'e.vtp': [^\n]+\n\Z")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["e.vtp", "in.vtp", "out.vtp", "s.vtp"])
+        for name, data in older.items():
+            self.assertEqual(content(self.path(name)), data)
+
+    def test_older_files_are_replaced(self):
+        for name in ("out.vtp", "r.json"):
+            with open(self.path(name), "wb") as file:
+                file.write(b"older")
+        self.succeed(self.input(), "out.vtp", *SMALL, "--report", "r.json")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["out.vtp", "r.json"])
+        self.assertEqual(read(self.path("out.vtp")).GetNumberOfPoints(), 60)
+
     def test_interruption(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             with subprocess.Popen(
