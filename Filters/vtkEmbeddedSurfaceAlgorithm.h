@@ -92,7 +92,7 @@ public:
    * 0 or more. Default 0: as `NormalSmoothingPasses` tells, which a radius overrides. Where
    * vtkAnisotropicRemesher took more than 1.5 spacings, or was given a tolerance, the field data of
    * its mesh tells (`NormalSmoothingRadius`): with that, other filters work on the same surface in
-   * R^d.
+   * R^d, but for features, along which it alone cuts.
    */
   vtkSetClampMacro(NormalSmoothingRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NormalSmoothingRadius, double);

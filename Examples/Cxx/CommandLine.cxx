@@ -226,7 +226,8 @@ std::vector<Option> MakeTable()
     { "--edges", "F.vtp", "Write the borders between the cells and of the surface.",
       Text("--edges", &Options::Edges) },
     { "--embedded-surface", "F.vtp",
-      "Write the input with its embedding, the point array Embedding.",
+      "Write the input with its embedding, the point array Embedding: what the mesh is made on, "
+      "but for creases that are kept, which have a normal for each side there.",
       Text("--embedded-surface", &Options::EmbeddedSurface) },
     { "--convergence", "F.csv", "Write energy and gradient of each iteration.",
       Text("--convergence", &Options::Convergence) },
