@@ -37,7 +37,7 @@ struct NumberRun
     if (this->request.sites)
     {
       const Status status = readSites(this->request.sites, prepared, this->outcome.given);
-      this->options.initialSites = this->outcome.given.sites;
+      this->options.initialSites = std::move(this->outcome.given.sites);
       return status;
     }
     return this->options.numberOfSites <= maximumIndex

@@ -25,7 +25,7 @@ struct NumberRequest
 struct NumberOutcome
 {
   PreparedSurface prepared;
-  GivenSites given; ///< what was read of the sites; they become `options.initialSites`
+  GivenSites given; ///< what was read; the sites themselves are moved to `options.initialSites`
   RemeshResult result;
   double intakeSeconds = 0.0; ///< wall time of the preparations
 };
