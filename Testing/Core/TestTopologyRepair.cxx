@@ -132,6 +132,49 @@ void testMovesOnlyDonors()
   CHECK(seen > 0);
 }
 
+/** Where one region has all the cells with the least energy, sites that go leave no hole there. */
+void testDonorsApart()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(5));
+  const EmbeddedSurface surface = inSpace(mesh);
+  Sites sites = test::sampled(surface, 1000, 3);
+  const Sites more = test::sampled(surface, 20000, 4);
+  for (Index i = 0; i < more.count(); ++i) // ten times as dense around a pole
+  {
+    const double* site = more.site(i);
+    if (site[2] > 0.9 * std::sqrt(site[0] * site[0] + site[1] * site[1] + site[2] * site[2]))
+    {
+      sites.coordinates.insert(sites.coordinates.end(), site, site + 3);
+    }
+  }
+  const test::Computed result = test::computed(surface, sites);
+  const test::DualOf made = test::dualOf(mesh, surface, result);
+  const VertexPlaces places{ surface, result.sites, result.diagram };
+  for (const Index fewer : { 10, 100 })
+  {
+    Sites revised = sites;
+    const Revision revision = reviseSites(places, made.components, made.dual, Certificate(),
+      result.sums, Refinement(), made.components.count() - fewer, 0, revised);
+    CHECK_EQUAL(revision.removed, fewer);
+    std::set<std::vector<double>> left;
+    for (Index i = 0; i < revised.count(); ++i)
+    {
+      left.insert({ revised.site(i), revised.site(i) + 3 });
+    }
+    std::vector<char> goes;
+    for (Index i = 0; i < sites.count(); ++i)
+    {
+      goes.push_back(left.count({ sites.site(i), sites.site(i) + 3 }) == 0);
+    }
+    CHECK_EQUAL(std::accumulate(goes.begin(), goes.end(), Index(0)), fewer);
+    for (const auto& [a, b, c] : made.dual.triangles)
+    {
+      const auto isGone = [&](Index k) { return static_cast<int>(goes[made.components.sites[k]]); };
+      CHECK(isGone(a) + isGone(b) + isGone(c) <= 1);
+    }
+  }
+}
+
 /** A site for a triangle comes as far from all three of its sites; none comes to its neighbours. */
 void testRefineTriangles()
 {
@@ -220,6 +263,7 @@ int TestTopologyRepair(int, char*[])
 {
   testSpikes();
   testMovesOnlyDonors();
+  testDonorsApart();
   testRefineTriangles();
   testExtraPoints();
   testNothingAsked();

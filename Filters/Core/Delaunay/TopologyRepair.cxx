@@ -268,10 +268,64 @@ std::vector<char> distancesOfSites(
   return nearest;
 }
 
-/** Free sites away from failures, the farther first, then by increasing energy of their cells. */
-std::vector<Index> findDonors(const Components& components, const std::vector<char>& distances,
-  const CellSums& sums, Index fixed, std::size_t wanted)
+/**
+ * Takes of these sites, in their order, those that are no neighbours of one taken before, and then
+ * others, if there are not enough. Many that go side by side would leave a hole.
+ */
+std::vector<Index> takeApart(const std::vector<Index>& candidates, const Components& components,
+  const Dual& dual, std::size_t numberOfSites, std::size_t wanted)
 {
+  std::vector<Index> numbers(numberOfSites, noIndex);
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+  {
+    numbers[candidates[k]] = static_cast<Index>(k);
+  }
+  std::vector<std::vector<Index>> neighbors(candidates.size()); // as far as they are candidates
+  for (const Triple& triangle : dual.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index a = numbers[components.sites[triangle[k]]];
+      const Index b = numbers[components.sites[triangle[(k + 1) % 3]]];
+      if (a != noIndex && b != noIndex)
+      {
+        neighbors[a].push_back(b);
+        neighbors[b].push_back(a);
+      }
+    }
+  }
+  std::vector<Index> taken;
+  std::vector<char> waits(candidates.size(), 0);
+  for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
+  {
+    if (!waits[k])
+    {
+      taken.push_back(candidates[k]);
+      for (const Index neighbor : neighbors[k])
+      {
+        waits[neighbor] = 1;
+      }
+      waits[k] = 0;
+    }
+  }
+  for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
+  {
+    if (waits[k])
+    {
+      taken.push_back(candidates[k]);
+    }
+  }
+  return taken;
+}
+
+/**
+ * Free sites away from failures, the farther first, then by increasing energy of their cells, and
+ * no neighbours of each other if there are enough.
+ */
+std::vector<Index> findDonors(const Components& components, const Dual& dual,
+  const std::vector<char>& distances, const CellSums& sums, Index fixed, std::size_t wanted)
+{
+  constexpr std::size_t choice = 8; // of candidates for each: sites have six neighbours
   const std::vector<char> nearest =
     distancesOfSites(components, distances, static_cast<Index>(sums.energy.size()));
   std::vector<Index> donors;
@@ -282,12 +336,12 @@ std::vector<Index> findDonors(const Components& components, const std::vector<ch
       donors.push_back(static_cast<Index>(i));
     }
   }
-  const std::size_t count = std::min(wanted, donors.size());
+  const std::size_t count = std::min(choice * wanted, donors.size());
   const auto key = [&](Index i) { return std::make_tuple(-nearest[i], sums.energy[i], i); };
   std::partial_sort(donors.begin(), donors.begin() + static_cast<std::ptrdiff_t>(count),
     donors.end(), [&](Index a, Index b) { return key(a) < key(b); });
   donors.resize(count);
-  return donors;
+  return takeApart(donors, components, dual, nearest.size(), wanted);
 }
 
 /** Takes sites away; the others keep their order. */
@@ -353,7 +407,7 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
       distances[k] = goes ? 0 : distances[k];
     }
     const std::vector<Index> donors =
-      findDonors(components, distances, sums, sites.fixed, static_cast<std::size_t>(surplus));
+      findDonors(components, dual, distances, sums, sites.fixed, static_cast<std::size_t>(surplus));
     const std::size_t missing = static_cast<std::size_t>(surplus) - donors.size();
     added.resize(added.size() - std::min(added.size(), missing * d));
     removed.insert(removed.end(), donors.begin(), donors.end());
