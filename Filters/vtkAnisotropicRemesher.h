@@ -138,8 +138,9 @@ public:
   /**
    * By how many points the mesh may exceed `NumberOfPoints` where it cannot have the topology of
    * the surface otherwise: ONE_PERCENT (-2, default) of them, UNLIMITED (-1), or a number; 0
-   * forbids. Where features alone take more than `NumberOfPoints`, they count from there. The field
-   * array `NumberOfExtraPoints` of port 0 tells by how many it does, for whatever reason.
+   * forbids. Where features alone take more than `NumberOfPoints`, they count from there. With a
+   * tolerance, ONE_PERCENT is of the number that each run has. The field array
+   * `NumberOfExtraPoints` of port 0 tells by how many it does, for whatever reason.
    */
   vtkSetClampMacro(MaximumNumberOfExtraPoints, vtkIdType, ONE_PERCENT, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfExtraPoints, vtkIdType);

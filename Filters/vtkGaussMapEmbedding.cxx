@@ -80,7 +80,7 @@ int vtkGaussMapEmbedding::RequestData(
   {
     vtkWarningMacro(<< warning);
   }
-  const std::string distribution = remesh::describeDistribution(outputVector, input);
+  const std::string distribution = remesh::describeDistribution(inputVector[0]);
   if (!distribution.empty())
   {
     vtkWarningMacro(<< distribution);

@@ -202,7 +202,8 @@ std::vector<std::string> warningsOf(
       " sites have empty cells: the surface cannot hold so many points.");
   }
   const remesh::Offset extra = result.components.count() - result.wantedVertices;
-  if (extra > std::max(result.sites.count() / remesh::Offset(100), options.maximumExtraPoints))
+  if (hasNumber &&
+    extra > std::max(result.sites.count() / remesh::Offset(100), options.maximumExtraPoints))
   {
     warnings.push_back("The mesh has " + std::to_string(extra) +
       " points more than asked for, as features take so many, or so many cells "
@@ -303,7 +304,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   }
   const bool hasNumber = !(this->Internals->Tolerance.tolerance > 0.0);
   std::vector<std::string> warnings = warningsOf(outcome, options, hasNumber);
-  const std::string distribution = remesh::describeDistribution(outputVector, input);
+  const std::string distribution = remesh::describeDistribution(inputVector[0]);
   if (!distribution.empty())
   {
     warnings.push_back(distribution);

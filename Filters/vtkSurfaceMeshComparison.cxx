@@ -166,8 +166,11 @@ int vtkSurfaceMeshComparison::RequestData(
   {
     remesh::emptyPorts(outputVector);
   }
-  const std::string distribution =
-    status.ok() ? remesh::describeDistribution(outputVector, mesh) : "";
+  std::string distribution = remesh::describeDistribution(inputVector[0]);
+  if (distribution.empty())
+  {
+    distribution = remesh::describeDistribution(inputVector[1]);
+  }
   if (!distribution.empty())
   {
     vtkWarningMacro(<< distribution);

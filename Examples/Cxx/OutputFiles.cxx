@@ -126,7 +126,10 @@ void OutputFiles::Replace(File& file)
   {
     throw Failure("cannot write '" + file.Name + "': it is not an ordinary file");
   }
-  file.Waits = fs::exists(status) && std::rename(file.Final.c_str(), file.Aside.c_str()) == 0;
+  // By a second name, where there can be one: then the user's name always leads to a whole file.
+  file.Waits = fs::exists(status) &&
+    (link(file.Final.c_str(), file.Aside.c_str()) == 0 ||
+      std::rename(file.Final.c_str(), file.Aside.c_str()) == 0);
   file.Stands = (file.Waits || !fs::exists(status)) &&
     std::rename(file.Temporary.c_str(), file.Final.c_str()) == 0;
   if (!file.Stands)
@@ -139,13 +142,14 @@ void OutputFiles::TakeBack()
 {
   for (File& file : this->Files)
   {
-    if (file.Stands)
-    {
-      std::remove(file.Final.c_str());
-    }
     if (file.Waits)
     {
       std::rename(file.Aside.c_str(), file.Final.c_str());
+      std::remove(file.Aside.c_str()); // two names of one file stay as they are
+    }
+    else if (file.Stands)
+    {
+      std::remove(file.Final.c_str());
     }
     file.Stands = file.Waits = false;
   }
@@ -160,7 +164,7 @@ void OutputFiles::Commit()
       Replace(file);
     }
   }
-  catch (const Failure&)
+  catch (...)
   {
     this->TakeBack();
     throw;

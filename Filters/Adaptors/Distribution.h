@@ -17,14 +17,18 @@ namespace remesh
 /**
  * A sentence for the user where a piece other than the first has polygons or strips, else nothing.
  * What is not distributed is all in the first piece, which therefore has nothing to tell.
+ *
+ * @param connections of one input port; it may have none.
  */
-inline std::string describeDistribution(vtkInformationVector* ports, vtkPolyData* input)
+inline std::string describeDistribution(vtkInformationVector* connections)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* port = ports->GetInformationObject(0);
-  const bool isFirst =
-    !port->Has(Pipeline::UPDATE_PIECE_NUMBER()) || port->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
-  if (isFirst || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  // The request has come to the inputs, whichever output it was for.
+  vtkInformation* port = connections->GetInformationObject(0);
+  vtkPolyData* input = port ? vtkPolyData::GetData(port) : nullptr;
+  const bool isFirst = !port || !port->Has(Pipeline::UPDATE_PIECE_NUMBER()) ||
+    port->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
+  if (isFirst || !input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     return {};
   }

@@ -4,7 +4,10 @@
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkRestrictedVoronoiDiagram.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSurfaceMeshComparison.h"
 
 using namespace remesh;
@@ -13,10 +16,18 @@ using namespace remesh::test;
 namespace
 {
 /** Asks for a piece; whether there is one warning, and that of a distributed surface. */
-bool warnsOf(vtkAlgorithm* filter, int piece, int pieces)
+bool warnsOf(vtkAlgorithm* filter, int piece, int pieces, int port = 0)
 {
   Messages messages(filter);
-  filter->UpdatePiece(piece, pieces, 0);
+  vtkNew<vtkInformation> request;
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  request->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  vtkNew<vtkInformationVector> requests; // one for each port
+  requests->SetNumberOfInformationObjects(port + 1);
+  requests->SetInformationObject(port, request);
+  filter->Update(port, requests);
   CHECK(messages.errors().empty() && messages.executiveErrors().empty());
   CHECK(messages.warnings().size() <= 1);
   const std::string text = messages.warnings().empty() ? "" : messages.warnings()[0];
@@ -35,8 +46,16 @@ void testPieces(vtkAlgorithm* filter)
   CHECK(warnsOf(filter, 1, 2));
   CHECK(warnsOf(filter, 2, 3));
   CHECK(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT) > 0);
+  for (int port = 1; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    filter->Modified();
+    CHECK(warnsOf(filter, 1, 2, port));
+  }
   filter->SetInputDataObject(0, empty);
-  CHECK(!warnsOf(filter, 1, 2));
+  if (!vtkSurfaceMeshComparison::SafeDownCast(filter)) // its reference is a piece as well
+  {
+    CHECK(!warnsOf(filter, 1, 2));
+  }
 }
 }
 
@@ -54,5 +73,9 @@ int TestDistribution(int, char*[])
   comparison->SetReferenceData(polyDataOf(icosphere(3)));
   comparison->SetNumberOfSamples(1000);
   testPieces(comparison);
+  vtkNew<vtkPolyData> empty; // the mesh is on one process, its reference is not
+  comparison->SetInputData(empty);
+  CHECK(!warnsOf(comparison, 0, 2));
+  CHECK(warnsOf(comparison, 1, 2));
   return result();
 }

@@ -351,6 +351,10 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   coarsest = std::clamp(coarsest, fine, mostError);
   const auto countBends = [&]()
   {
+    if (control.cancelled())
+    {
+      return 0.0;
+    }
     return static_cast<double>(countFeaturePoints(
       features, sampleWith(courses, least, error, rough, std::numeric_limits<double>::infinity())));
   };
@@ -364,6 +368,10 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   {
     error = std::min(2.0 * error, coarsest);
     count = countWith(stations);
+  }
+  if (control.cancelled())
+  {
+    return stations;
   }
   needed = countFeaturePoints(
     features, sampleWith(courses, least, coarsest, rough, std::numeric_limits<double>::infinity()));

@@ -246,25 +246,23 @@ void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
     }
   }
   const std::vector<Index> fansOfPoint = numberCorners(mesh, fans);
-  std::vector<Index> onFeature(mesh.points.size(), noIndex); // an edge
+  std::vector<Index> cutSides(mesh.points.size(), 0); // of facets
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (features.kind(f, k) != FeatureKind::None)
+      if (features.isCut(f, k))
       {
-        const Index edge = features.edges.facetEdges[f][k];
-        onFeature[mesh.facetPoints[f][k]] = onFeature[mesh.facetPoints[f][(k + 1) % 3]] = edge;
+        ++cutSides[mesh.facetPoints[f][k]];
+        ++cutSides[mesh.facetPoints[f][(k + 1) % 3]];
       }
     }
   }
-  // Without a feature there is one fan, and inside of a curve one for each of its sides, unless
-  // shells touch in the point. (Other points on features are corners anyway.)
+  // Each fan ends at two of them, and goes all round where there are none; unless shells touch in
+  // the point.
   for (Index p = 0; p < mesh.numberOfPoints(); ++p)
   {
-    const Index edge = onFeature[p];
-    const Index sides = edge == noIndex || !features.cuts[edge] ? 1 : features.edges.valence(edge);
-    if (fansOfPoint[p] > sides)
+    if (fansOfPoint[p] > std::max(1, cutSides[p] / 2))
     {
       features.corners.push_back(p);
     }

@@ -17,8 +17,8 @@ struct ClosestPoint
 
 /**
  * Regions of the triangle's corners and edges first, then its inside (C. Ericson, "Real-Time
- * Collision Detection", 2005, section 5.1.5). Where a triangle is so narrow that rounding hides its
- * inside, a point of its edges.
+ * Collision Detection", 2005, section 5.1.5). Needs three different corners. Where a triangle is so
+ * narrow that rounding hides its inside, a point of its edges.
  */
 ClosestPoint closestOnTriangle(
   const Point3& point, const Point3& a, const Point3& b, const Point3& c);

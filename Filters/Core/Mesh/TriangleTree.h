@@ -122,54 +122,6 @@ private:
   std::vector<std::vector<BoxGroup>> m_levels;
   BoxDistanceEvaluation m_distances = boxDistanceEvaluation(widestInstructionSet());
 };
-
-template <class Reaches, class Visit>
-void TriangleTree::visitLeaves(
-  const Point3& point, const Reaches& reaches, const Visit& visit) const
-{
-  if (this->empty())
-  {
-    return;
-  }
-  Pending pending[(lanes - 1) * mostLevels + 1];
-  int size = 0;
-  pending[size++] = { 0.0, 0, static_cast<int>(m_levels.size()) - 1 };
-  while (size > 0)
-  {
-    const Pending node = pending[--size];
-    if (!reaches(node.squared))
-    {
-      continue;
-    }
-    if (node.level < 0)
-    {
-      const Index begin = node.id * leafSize;
-      const auto end = std::min<Index>(begin + leafSize, static_cast<Index>(m_ids.size()));
-      for (Index slot = begin; slot < end; ++slot)
-      {
-        visit(slot);
-      }
-      continue;
-    }
-    double squared[lanes];
-    m_distances({ m_levels[node.level][node.id], point.data(), squared });
-    const int bottom = size;
-    const auto children =
-      node.level > 0 ? static_cast<Index>(m_levels[node.level - 1].size()) : this->leaves();
-    for (int k = 0; k < std::min<Index>(lanes, children - node.id * lanes); ++k)
-    {
-      if (reaches(squared[k]))
-      {
-        int at = size++;
-        for (; at > bottom && pending[at - 1].squared < squared[k]; --at)
-        {
-          pending[at] = pending[at - 1];
-        }
-        pending[at] = { squared[k], node.id * lanes + k, node.level - 1 };
-      }
-    }
-  }
-}
 }
 
 #endif

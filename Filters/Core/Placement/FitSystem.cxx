@@ -9,6 +9,7 @@
 
 #include "Mesh/FacetGeometry.h"
 #include "Placement/StarFit.h"
+#include "Placement/TriangleShape.h"
 #include "Support/Grouping.h"
 
 #include <Eigen/Eigenvalues>
@@ -146,17 +147,6 @@ bool invertBlocks(const RunControl& control, FitSystem& system)
       }
     });
 }
-
-std::vector<Point3> normalsOf(const PlacementProblem& problem, const std::vector<Point3>& positions)
-{
-  std::vector<Point3> normals(problem.triangles.size());
-  for (std::size_t t = 0; t < normals.size(); ++t)
-  {
-    const auto& [i, j, k] = problem.triangles[t];
-    normals[t] = facetNormal(positions[i], positions[j], positions[k]);
-  }
-  return normals;
-}
 }
 
 Point3 FitSystem::row(const VectorField& x, std::size_t i) const
@@ -229,7 +219,7 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
   system.slopes.assign(vertices, Point3::Zero());
   system.weights.assign(vertices, 0.0);
   system.triangleNormals.assign(problem.triangles.size(), Point3::Zero());
-  const std::vector<Point3> normals = normalsOf(problem, positions);
+  const std::vector<Point3> normals = normalsOf(problem.triangles, positions);
   ScratchPool<StarFit> pool(
     [&]() { return std::make_unique<StarFit>(problem, stars, positions, normals); });
   const Offset count = samples.blocks().count();

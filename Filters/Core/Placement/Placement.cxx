@@ -7,7 +7,6 @@
 #include "Placement/StepLimit.h"
 #include "Placement/SurfaceFit.h"
 #include "Placement/TriangleShape.h"
-#include "Support/Grouping.h"
 #include "Support/Parallel.h"
 #include "Support/SortUnique.h"
 
@@ -108,14 +107,8 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
   }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   // Against their own normals: shapes alone do not tell a triangle from its mirror image.
-  std::vector<Point3> normals(problem.triangles.size());
-  const bool known = forEachItem(static_cast<Offset>(normals.size()), control,
-    [&](Offset t)
-    {
-      const auto [a, b, c] = cornersOf(problem.triangles[t], start);
-      normals[t] = facetNormal(a, b, c);
-    });
-  return known && limitSteps(problem, stars, { start, normals }, start, control, positions)
+  const std::vector<Point3> normals = normalsOf(problem.triangles, start);
+  return limitSteps(problem, stars, { start, normals }, start, control, positions)
     ? Status::success()
     : Status::cancelled();
 }

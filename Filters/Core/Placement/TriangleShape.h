@@ -5,6 +5,7 @@
 #ifndef remesh_TriangleShape_h
 #define remesh_TriangleShape_h
 
+#include "Mesh/FacetGeometry.h"
 #include "Support/Types.h"
 
 #include <Eigen/Geometry>
@@ -56,6 +57,20 @@ inline double stretchRatio(const Corners& from, const Corners& to)
 inline Corners cornersOf(const Triple& triangle, const std::vector<Point3>& positions)
 {
   return { positions[triangle[0]], positions[triangle[1]], positions[triangle[2]] };
+}
+
+/** T, of length 1; zero without area. */
+inline std::vector<Point3> normalsOf(
+  const std::vector<Triple>& triangles, const std::vector<Point3>& positions)
+{
+  std::vector<Point3> normals;
+  normals.reserve(triangles.size());
+  for (const Triple& triangle : triangles)
+  {
+    const auto [a, b, c] = cornersOf(triangle, positions);
+    normals.push_back(facetNormal(a, b, c));
+  }
+  return normals;
 }
 }
 
