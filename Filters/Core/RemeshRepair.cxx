@@ -125,6 +125,7 @@ Index repairEncroachments(
   return fits && !found.empty() ? repairCurves(task, found, control, repair, result) : 0;
 }
 
+/** Whether this way of repairing has been tried as often as may be. */
 bool stageEnds(const Repair& repair)
 {
   return repair.flipRounds > 0
@@ -144,13 +145,9 @@ bool enterNextStage(const Task& task, Repair& repair, RemeshResult& result)
   repair.flipRounds = wasForFlips ? mostFlipRounds : 0;
   repair.rounds = 0;
   repair.idleRounds = 0;
-  if (shareSites(result, repair) == repair.best.sites)
-  {
-    return false;
-  }
-  restoreState(repair, result);
-  repair.wentBack = true;
-  return true;
+  repair.wentBack = shareSites(result, repair) != repair.best.sites;
+  restoreState(repair, result); // its counts, too, where the sites are the same
+  return repair.wentBack;
 }
 
 /** Sites for where the certificate fails. */

@@ -145,6 +145,42 @@ void testTurnedBack()
   CHECK(turned > 20); // some are needed
 }
 
+/** Where triangles stay flipped as they were, nothing else has moved or turned in vain. */
+void testUndone()
+{
+  Fixture fixture;
+  const std::vector<Point3>& sound = fixture.result.placement.positions;
+  const std::vector<Triple>& dual = fixture.result.dual.triangles;
+  int hopeless = 0;
+  for (std::size_t t = 0; t < dual.size(); t += 20)
+  {
+    std::vector<Triple> triangles = dual;
+    std::vector<Point3> positions = sound;
+    std::fill(fixture.fixed.begin(), fixture.fixed.end(), 0);
+    const auto& [a, b, c] = triangles[t];
+    for (const Index corner : { a, b, c })
+    {
+      fixture.fixed[corner] = 1;
+    }
+    positions[a] += 2.2 * (0.5 * (sound[b] + sound[c]) - sound[a]); // beyond the other side
+    const std::vector<Point3> before = positions;
+    const auto flipped = static_cast<Offset>(fixture.flipped(positions).size());
+    CHECK(flipped > 0);
+    FlipSearch search(fixture.near);
+    FlipRepair repair;
+    CHECK(repairFlips(fixture.problem, fixture.near, sound, sound, FlipSteps::MoveAndTurn,
+      RunControl(), search, triangles, positions, repair)
+            .ok());
+    if (repair.flippedTriangles == flipped)
+    {
+      CHECK(positions == before);
+      CHECK(triangles == dual);
+      ++hopeless;
+    }
+  }
+  CHECK(hopeless > 0);
+}
+
 /** Where far too much is flipped, no edges are turned: that would take long, and help little. */
 void testTooMany()
 {
@@ -244,6 +280,7 @@ int TestUntangling(int, char*[])
   testSwapped(tiltedPlane());
   testTurnedBack();
   testTooMany();
+  testUndone();
   testRetreatAround();
   testFixed();
   testFlat();

@@ -114,6 +114,17 @@ void testNotANumber()
   }
 }
 
+/** The number 5 on all cells, as their active scalars. */
+void labelCells(vtkPolyData* surface)
+{
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  label->SetNumberOfValues(surface->GetNumberOfCells());
+  label->Fill(5);
+  surface->GetCellData()->AddArray(label);
+  surface->GetCellData()->SetActiveScalars("Label");
+}
+
 /** Names of components, lookup tables and active attributes stay; normals stay unit vectors. */
 void testRoles()
 {
@@ -131,12 +142,7 @@ void testRoles()
   from->SetActiveScalars("T");
   from->SetActiveVectors("Wind");
   from->SetActiveNormals("N");
-  vtkNew<vtkIntArray> label;
-  label->SetName("Label");
-  label->SetNumberOfValues(input->GetNumberOfCells());
-  label->Fill(5);
-  input->GetCellData()->AddArray(label);
-  input->GetCellData()->SetActiveScalars("Label");
+  labelCells(input);
   vtkNew<vtkIntArray> year;
   year->SetName("Year");
   year->InsertNextValue(2012);
@@ -172,12 +178,7 @@ void testSeveralRoles()
   from->SetActiveTCoords("Flow");
   from->SetActivePedigreeIds("Ids");
   from->SetActiveGlobalIds("Ids");
-  vtkNew<vtkIntArray> label;
-  label->SetName("Label");
-  label->SetNumberOfValues(input->GetNumberOfCells());
-  label->Fill(5);
-  input->GetCellData()->AddArray(label);
-  input->GetCellData()->SetActiveScalars("Label");
+  labelCells(input);
   input->GetCellData()->SetActiveGlobalIds("Label");
   const Filter filter = makeFilter(input, 100);
   CHECK(run(filter).empty());

@@ -287,7 +287,7 @@ std::vector<Index> takeApart(const std::vector<Index>& candidates, const Compone
     {
       const Index a = numbers[components.sites[triangle[k]]];
       const Index b = numbers[components.sites[triangle[(k + 1) % 3]]];
-      if (a != noIndex && b != noIndex)
+      if (a != noIndex && b != noIndex && a != b)
       {
         neighbors[a].push_back(b);
         neighbors[b].push_back(a);
@@ -305,7 +305,6 @@ std::vector<Index> takeApart(const std::vector<Index>& candidates, const Compone
       {
         waits[neighbor] = 1;
       }
-      waits[k] = 0;
     }
   }
   for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
