@@ -59,6 +59,11 @@ int vtkAnisotropicRemesher::RequestData(
     remesh::emptyPorts(outputVector);
     return 0;
   }
+  if (initialSites && this->DistanceTolerance > 0.0)
+  {
+    vtkWarningMacro("The distance tolerance does not count: initial sites give the number of "
+                    "points.");
+  }
   const bool preserve = this->PreserveFeatures && !initialSites;
   this->Internals->Features = { preserve, this->FeatureAngle };
   const bool isOnePercent = this->MaximumNumberOfExtraPoints == ONE_PERCENT;
@@ -72,6 +77,7 @@ int vtkAnisotropicRemesher::RequestData(
                                                     : this->MaximumNumberOfExtraPoints;
   options.sampling = this->SamplingMethod == RANDOM ? remesh::SamplingMethod::Random
                                                     : remesh::SamplingMethod::Stratified;
+  options.coarseStart = this->CoarseStart;
   options.seed = static_cast<std::uint64_t>(this->Seed);
   options.lloydIterations = this->NumberOfLloydIterations;
   options.quasiNewton.iterations = this->NumberOfNewtonIterations;
@@ -92,6 +98,7 @@ void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MaximumNumberOfExtraPoints: " << this->MaximumNumberOfExtraPoints << "\n";
   os << indent << "SamplingMethod: " << this->SamplingMethod << "\n";
+  os << indent << "CoarseStart: " << this->CoarseStart << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfLloydIterations: " << this->NumberOfLloydIterations << "\n";
   os << indent << "NumberOfNewtonIterations: " << this->NumberOfNewtonIterations << "\n";

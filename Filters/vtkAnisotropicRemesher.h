@@ -156,6 +156,20 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the first sites are grown from a quarter as many, which take a few iterations first,
+   * and the middles between these. The mesh has fewer irregular vertices, and after as many
+   * iterations a lower energy (about 0.2 % on scans, as ten times the iterations would reach). Off
+   * by default: where features of the surface are smaller than the coarse cells, there are fewer
+   * points on them. Costs as much as about ten iterations. Without effect below 400 free points,
+   * without iterations, and with initial sites.
+   */
+  vtkSetMacro(CoarseStart, bool);
+  vtkGetMacro(CoarseStart, bool);
+  vtkBooleanMacro(CoarseStart, bool);
+  ///@}
+
+  ///@{
   /** Seed of the random numbers, default 0. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -226,6 +240,7 @@ private:
   double FeatureAngle = 35.0;
   vtkIdType MaximumNumberOfExtraPoints = ONE_PERCENT;
   int SamplingMethod = STRATIFIED;
+  bool CoarseStart = false;
   int Seed = 0;
   int NumberOfLloydIterations = 5;
   int NumberOfNewtonIterations = 30;

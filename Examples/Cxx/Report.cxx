@@ -40,6 +40,7 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.Add("seed", options.Seed);
   json.Add("sampling", options.Sampling);
   json.Add("placement", options.Placement);
+  json.Add("coarse_start", options.CoarseStart);
   json.Add("measure_distance", options.MeasureDistance);
   json.Add("threads", options.Threads);
   json.Add("backend", options.Backend);

@@ -221,6 +221,7 @@ void Remesh(Run& run)
   remesher->SetSamplingMethod(options.Sampling == "random" ? vtkAnisotropicRemesher::RANDOM
                                                            : vtkAnisotropicRemesher::STRATIFIED);
   remesher->SetVertexPlacement(PlacementNumber(options.Placement));
+  remesher->SetCoarseStart(options.CoarseStart);
   remesher->SetMeasureDistance(options.MeasureDistance);
   remesher->SetGenerateVoronoiCells(!options.Cells.empty());
   remesher->SetGenerateEdges(!options.Edges.empty());

@@ -1,12 +1,11 @@
 #include "Remesh.h"
 
 #include "Embedding/Embedding.h"
-#include "Features/CurveSeparation.h"
-#include "Features/PatchSampling.h"
 #include "Optimization/FixedSites.h"
 #include "Optimization/Lloyd.h"
 #include "Optimization/SiteOrder.h"
 #include "RemeshDual.h"
+#include "RemeshStart.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <cmath>
@@ -16,51 +15,6 @@ namespace remesh
 {
 namespace
 {
-/** The sites on the features, and then those of each patch. */
-Status makeSitesByPatch(const Task& task, const RunControl& control, RemeshResult& result)
-{
-  const RemeshOptions& options = task.options;
-  if (Status status = checkNumberOfSites(options.numberOfSites); !status.ok())
-  {
-    return status;
-  }
-  result.stations = sampleCurves(task.mesh, task.surface, *task.features, options.numberOfSites,
-    options.mostCurveError, control, result.neededFeaturePoints);
-  if (control.cancelled())
-  {
-    return Status::cancelled();
-  }
-  result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
-  separateCurves(task.mesh, task.surface, *task.features, task.mostPointsOnFeatures(0),
-    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)), control,
-    result.stations, result.featureSites);
-  if (control.cancelled())
-  {
-    return Status::cancelled();
-  }
-  result.sites = result.featureSites.sites;
-  const std::vector<Offset> counts = shareOutSites(task.mesh, task.surface, *task.features,
-    result.featureSites, options.numberOfSites - result.featureSites.numberOfPoints());
-  return samplePatches(
-    task.surface, *task.features, counts, options.sampling, options.seed, result.sites, control);
-}
-
-Status makeSites(const Task& task, const RunControl& control, RemeshResult& result)
-{
-  const RemeshOptions& options = task.options;
-  if (options.initialSites.count() > 0)
-  {
-    result.sites = options.initialSites;
-    return Status::success();
-  }
-  if (task.features)
-  {
-    return makeSitesByPatch(task, control, result);
-  }
-  return sampleSurface(
-    task.surface, options.numberOfSites, options.sampling, options.seed, result.sites, control);
-}
-
 /** Lloyd's iterations as an opening, then quasi-Newton ones. */
 Status optimize(const EmbeddedSurface& surface, const RemeshOptions& options, RunControl control,
   RestrictedVoronoi& voronoi, RemeshResult& result)
@@ -240,7 +194,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
       result.sites = inFormerOrder(result.sites, order);
     }
     roundToCaller(surface, result.sites);
-    result.evaluations = voronoi.evaluations();
+    result.evaluations += voronoi.evaluations();
   }
   if (Status status = endRun(task, false, control.part(0.85, 1.0), result);
       !status.ok() || result.fallsApart)

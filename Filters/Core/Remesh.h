@@ -41,6 +41,8 @@ struct RemeshOptions
   Offset numberOfSites = 10000;
   SamplingMethod sampling = SamplingMethod::Stratified;
   std::uint64_t seed = 0;
+  /** Whether the first sites are grown from fewer, see RemeshStart.h. */
+  bool coarseStart = false;
   int lloydIterations = 5;
   QuasiNewtonOptions quasiNewton;
   /** False: the given sites are final, whatever their cells. */

@@ -37,9 +37,9 @@ const std::vector<const char*> ofSurfaces = { "EmbeddingMode", "Anisotropy",
 const std::vector<const char*> ofDiagrams = { "VertexPlacement", "GenerateVoronoiCells",
   "GenerateEdges", "MeasureDistance", "MaximumCellEmbeddingDimension", "Dimension",
   "NumberOfIterations", "NumberOfEvaluations", "Energy", "TopologyReport" };
-const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod", "Seed",
-  "NumberOfLloydIterations", "NumberOfNewtonIterations", "HistoryLength", "GradientTolerance",
-  "EnergyTolerance", "MaximumNumberOfExtraPoints" };
+const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod", "CoarseStart",
+  "Seed", "NumberOfLloydIterations", "NumberOfNewtonIterations", "HistoryLength",
+  "GradientTolerance", "EnergyTolerance", "MaximumNumberOfExtraPoints" };
 
 /** Values below and above the range become its ends; what is set twice is modified once. */
 template <class Value, class Set, class Get>
@@ -149,6 +149,7 @@ void testRemesher()
   vtkNew<vtkAnisotropicRemesher> filter;
   CHECK_EQUAL(filter->GetNumberOfPoints(), 10000);
   CHECK_EQUAL(filter->GetSamplingMethod(), static_cast<int>(vtkAnisotropicRemesher::STRATIFIED));
+  CHECK_EQUAL(filter->GetCoarseStart(), false);
   CHECK_EQUAL(filter->GetSeed(), 0);
   CHECK_EQUAL(filter->GetHistoryLength(), 7);
   CHECK_EQUAL(filter->GetGradientTolerance(), 0.0);

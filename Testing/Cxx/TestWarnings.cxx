@@ -89,6 +89,17 @@ void testSitesOfAnotherDimension()
   checkWarning("sites of another dimension", three, "has not the 3 components");
   CHECK_EQUAL(three->GetOutput()->GetNumberOfPoints(), 50);
 }
+
+/** Sites that are given are as many as they are, whatever the tolerance. */
+void testToleranceWithSites()
+{
+  const auto first = remesherOf(sphere(), 50);
+  first->Update();
+  const auto filter = remesherOf(sphere(), 50);
+  filter->SetInitialSitesData(first->GetSitesOutput());
+  filter->SetDistanceTolerance(1e-3);
+  checkWarning("a tolerance with sites", filter, "tolerance does not count");
+}
 }
 
 int TestWarnings(int, char*[])
@@ -97,5 +108,6 @@ int TestWarnings(int, char*[])
   testExtraPoints();
   testUnfitArrays();
   testSitesOfAnotherDimension();
+  testToleranceWithSites();
   return result();
 }

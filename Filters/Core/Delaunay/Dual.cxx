@@ -3,10 +3,9 @@
 #include "Delaunay/HangingTriangles.h"
 #include "Mesh/Duplicates.h"
 #include "Support/Grouping.h"
-#include "Support/SortUnique.h"
+#include "Voronoi/CellNeighbors.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace remesh
 {
@@ -157,28 +156,8 @@ Status countNeighbors(const Diagram& diagram, Index numberOfSites, const RunCont
   std::vector<Index>& counts)
 {
   counts.assign(static_cast<std::size_t>(numberOfSites), 0);
-  Groups pieces;
-  const bool done = groupByKey(
-                      diagram.numberOfPieces(), numberOfSites, control.silent(),
-                      [&](Offset piece) { return diagram.sites[piece]; }, pieces) &&
-    forEachRange(longBlocks(numberOfSites), control,
-      [&](Offset begin, Offset end)
-      {
-        std::vector<Index> neighbors;
-        for (Offset site = begin; site < end; ++site)
-        {
-          neighbors.clear();
-          for (Offset p = pieces.begins[site]; p < pieces.begins[site + 1]; ++p)
-          {
-            const Index piece = pieces.items[p];
-            std::copy_if(diagram.across.begin() + diagram.vertexBegin[piece],
-              diagram.across.begin() + diagram.vertexBegin[piece + 1],
-              std::back_inserter(neighbors), [](Index across) { return across >= 0; });
-          }
-          sortUnique(neighbors);
-          counts[site] = static_cast<Index>(neighbors.size());
-        }
-      });
-  return done ? Status::success() : Status::cancelled();
+  return forEachCell(diagram, numberOfSites, control,
+    [&](Index site, const std::vector<Index>& neighbors)
+    { counts[site] = static_cast<Index>(neighbors.size()); });
 }
 }

@@ -50,7 +50,9 @@ std::vector<Index> orderInSpace(const Sites& sites, const RunControl& control)
 
 Sites inOrder(const Sites& sites, const std::vector<Index>& order)
 {
-  Sites ordered = sites;
+  Sites ordered;
+  ordered.dimension = sites.dimension;
+  ordered.coordinates.resize(order.size() * static_cast<std::size_t>(sites.dimension));
   for (std::size_t k = 0; k < order.size(); ++k)
   {
     std::copy_n(sites.site(order[k]), sites.dimension, ordered.site(static_cast<Index>(k)));

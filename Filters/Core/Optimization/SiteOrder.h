@@ -21,10 +21,10 @@ bool areScattered(const Sites& sites);
 /** The sites along the Hilbert curve of their first three coordinates. O(n). */
 std::vector<Index> orderInSpace(const Sites& sites, const RunControl& control = RunControl());
 
-/** Site k of the result is site order[k]; for sites that are all free. O(n d). */
+/** Site k of the result is site order[k]; all are free. Sites may be left out. O(n d). */
 Sites inOrder(const Sites& sites, const std::vector<Index>& order);
 
-/** Undoes `inOrder`. */
+/** Undoes `inOrder` with all sites. */
 Sites inFormerOrder(const Sites& ordered, const std::vector<Index>& order);
 }
 

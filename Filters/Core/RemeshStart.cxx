@@ -1,0 +1,145 @@
+#include "RemeshStart.h"
+
+#include "Features/CurveSeparation.h"
+#include "Features/PatchSampling.h"
+#include "Optimization/Lloyd.h"
+#include "Optimization/SiteGrowth.h"
+#include "Voronoi/RestrictedVoronoi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace remesh
+{
+namespace
+{
+constexpr Offset growth = 4; // times as many sites, where each pair of neighbours has one
+constexpr Offset fewestCoarse = 100;
+constexpr int coarseLloyd = 2;
+constexpr int coarseNewton = 10;
+
+/** The sites on the features. */
+Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  const RemeshOptions& options = task.options;
+  result.stations = sampleCurves(task.mesh, task.surface, *task.features, options.numberOfSites,
+    options.mostCurveError, control, result.neededFeaturePoints);
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
+  result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
+  separateCurves(task.mesh, task.surface, *task.features, task.mostPointsOnFeatures(0),
+    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)), control,
+    result.stations, result.featureSites);
+  result.sites = result.featureSites.sites;
+  return control.cancelled() ? Status::cancelled() : Status::success();
+}
+
+/** How many free sites each patch gets. */
+std::vector<Offset> shareOut(const Task& task, const RemeshResult& result, Offset freeSites)
+{
+  return task.features
+    ? shareOutSites(task.mesh, task.surface, *task.features, result.featureSites, freeSites)
+    : std::vector<Offset>{ freeSites };
+}
+
+/** Draws so many more in each patch. */
+Status drawFreeSites(const Task& task, const std::vector<Offset>& counts, const RunControl& control,
+  RemeshResult& result)
+{
+  const RemeshOptions& options = task.options;
+  if (task.features)
+  {
+    return samplePatches(
+      task.surface, *task.features, counts, options.sampling, options.seed, result.sites, control);
+  }
+  if (result.sites.count() == 0)
+  {
+    return sampleSurface(
+      task.surface, counts[0], options.sampling, options.seed, result.sites, control);
+  }
+  std::vector<Index> facets(static_cast<std::size_t>(task.surface.numberOfFacets()));
+  std::iota(facets.begin(), facets.end(), 0);
+  return counts[0] > 0 ? drawSites(task.surface, facets, counts[0], options.sampling, options.seed,
+                           result.sites, control)
+                       : Status::success();
+}
+
+/** Free sites from those of a quarter as many, where these are enough to be of use. */
+Status growFreeSites(
+  const Task& task, const RunControl& control, std::vector<Offset>& counts, RemeshResult& result)
+{
+  const Offset coarseSites = std::accumulate(counts.begin(), counts.end(), Offset(0)) / growth + 2;
+  if (coarseSites < fewestCoarse)
+  {
+    return Status::success();
+  }
+  RemeshOptions options = task.options;
+  options.numberOfSites = options.numberOfSites / growth + 2;
+  const Task coarseTask{ task.mesh, task.surface, task.features, options };
+  RemeshResult coarse;
+  coarse.sites.dimension = task.surface.dimension;
+  Status status = task.features ? makeFixedSites(coarseTask, control, coarse) : Status::success();
+  if (status.ok())
+  {
+    status = drawFreeSites(coarseTask, shareOut(coarseTask, coarse, coarseSites), control, coarse);
+  }
+  RestrictedVoronoi voronoi(task.surface);
+  if (status.ok())
+  {
+    status = relaxLloyd(voronoi, task.surface, std::min(options.lloydIterations, coarseLloyd),
+      options.seed, control, coarse.sites, coarse.sums, coarse.convergence, coarse.emptyCells);
+  }
+  if (status.ok())
+  {
+    options.quasiNewton.iterations = std::min(options.quasiNewton.iterations, coarseNewton);
+    status = minimizeQuasiNewton(voronoi, task.surface, options.quasiNewton, options.seed, control,
+      coarse.sites, coarse.sums, coarse.convergence, coarse.emptyCells);
+  }
+  if (status.ok())
+  {
+    status = voronoi.decompose(coarse.sites, control, coarse.sums, coarse.diagram);
+  }
+  result.evaluations = voronoi.evaluations();
+  return status.ok()
+    ? growSites(task.surface, coarse.sites, coarse.diagram, control, counts, result.sites)
+    : status;
+}
+}
+
+Status makeSites(const Task& task, const RunControl& control, RemeshResult& result)
+{
+  const RemeshOptions& options = task.options;
+  if (options.initialSites.count() > 0)
+  {
+    result.sites = options.initialSites;
+    return Status::success();
+  }
+  if (Status status = checkNumberOfSites(options.numberOfSites); !status.ok())
+  {
+    return status;
+  }
+  result.sites.dimension = task.surface.dimension;
+  if (task.features)
+  {
+    if (Status status = makeFixedSites(task, control, result); !status.ok())
+    {
+      return status;
+    }
+  }
+  std::vector<Offset> counts =
+    shareOut(task, result, options.numberOfSites - result.featureSites.numberOfPoints());
+  const bool iterates = options.lloydIterations > 0 || options.quasiNewton.iterations > 0;
+  if (options.coarseStart && iterates)
+  {
+    if (Status status = growFreeSites(task, control.silent(), counts, result); !status.ok())
+    {
+      return status;
+    }
+  }
+  return drawFreeSites(task, counts, control, result);
+}
+}
