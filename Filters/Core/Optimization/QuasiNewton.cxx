@@ -49,12 +49,7 @@ public:
     {
       return;
     }
-    Correction pair;
-    if (m_history.size() == m_length)
-    {
-      pair = std::move(m_history.front()); // for its memory
-      m_history.pop_front();
-    }
+    Correction pair = std::move(m_spare);
     pair.step.resize(direction.size());
     pair.change.resize(direction.size());
     m_vectors.forEach(
@@ -67,7 +62,16 @@ public:
       { return static_cast<double>(pair.step[k]) * static_cast<double>(pair.change[k]); });
     if (pair.product > 0.0)
     {
+      if (m_history.size() == m_length)
+      {
+        m_spare = std::move(m_history.front());
+        m_history.pop_front();
+      }
       m_history.push_back(std::move(pair));
+    }
+    else
+    {
+      m_spare = std::move(pair);
     }
   }
 
@@ -126,6 +130,7 @@ private:
   std::size_t m_length;
   const BlockedVectors& m_vectors;
   std::deque<Correction> m_history; ///< oldest first
+  Correction m_spare;               ///< kept for its memory
 };
 
 /**
