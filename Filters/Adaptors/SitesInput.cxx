@@ -31,6 +31,9 @@ vtkSmartPointer<vtkPolyData> makePolyData(const SurfaceMesh& mesh)
   return data;
 }
 
+/** In scaled units, of which the surface is 1 in size: squares stay far from overflow. */
+constexpr double farthestSite = 1e30;
+
 /** Row by row from the array, centred and scaled. */
 void takeEmbedding(vtkDataArray* embedding, const EmbeddedSurface& surface, Sites& sites)
 {
@@ -119,6 +122,11 @@ Status readSites(vtkPointSet* input, const PreparedSurface& prepared, GivenSites
     {
       return Status::invalid("The embedding of site " + std::to_string(k / d) +
         " has a value that is not a finite number.");
+    }
+    if (std::abs(given.sites.coordinates[k]) > farthestSite)
+    {
+      return Status::invalid(
+        "The embedding of site " + std::to_string(k / d) + " is too far from the surface's.");
     }
   }
   return Status::success();

@@ -25,6 +25,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace remesh
@@ -158,19 +159,32 @@ void CellReader::AddQuadrilateral()
   }
 }
 
-/** Fills the polygon and its triangulation from the loop; false if vtkPolygon gives up. */
+/**
+ * Fills the polygon and its triangulation from the loop; false if vtkPolygon gives up. Its
+ * tolerances are lengths: the polygon is moved and scaled to be about 1 in size.
+ */
 bool CellReader::TriangulateLoop()
 {
   const auto size = static_cast<vtkIdType>(this->Loop.size());
   this->Polygon->Points->SetNumberOfPoints(size);
   this->Polygon->PointIds->SetNumberOfIds(size);
+  double extent = 0.0;
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (!this->At(i).allFinite()) // the intake will say so
     {
       return false;
     }
-    this->Polygon->Points->SetPoint(i, this->At(i).data());
+    extent = std::max(extent, (this->At(i) - this->At(0)).cwiseAbs().maxCoeff());
+  }
+  if (!(extent > 0.0) || !std::isfinite(extent))
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const Point3 scaled = (this->At(i) - this->At(0)) / extent;
+    this->Polygon->Points->SetPoint(i, scaled.data());
     this->Polygon->PointIds->SetId(i, i);
   }
   this->Triangulation->Reset();

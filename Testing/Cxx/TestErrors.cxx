@@ -231,6 +231,9 @@ void testSites()
   Input sites = goodInput();
   const auto embedding = addPointArray<vtkDoubleArray>(
     sites, "Embedding", 6, [](const Point3& p, int c) { return p[c % 3]; });
+  embedding->SetComponent(7, 5, 1e200);
+  checkCase<vtkAnisotropicRemesher>(
+    "a site far away", goodInput(), "embedding of site 7 is too far", give(sites), none);
   embedding->SetComponent(7, 5, infinity);
   checkCase<vtkAnisotropicRemesher>(
     "infinity in the embedding of sites", goodInput(), "site 7", give(sites), none);

@@ -210,6 +210,17 @@ void testLargePolygons()
     const TriangleSoup fromStar = readPolygon(star, cell);
     CHECK_NEAR(areasOf(fromStar)[0], 0.4 * full, 1e-13);
     CHECK_NEAR(areasOf(fromStar)[1], 0.4 * full, 1e-13); // no overlaps
+    for (const double scale : { 1e-40, 1e-12, 1e-7, 1e40 })
+    {
+      std::vector<Point3> scaled = star;
+      for (Point3& point : scaled)
+      {
+        point *= scale;
+      }
+      const auto areas = areasOf(readPolygon(scaled, cell));
+      CHECK_NEAR(areas[0] / (scale * scale), 0.4 * full, 1e-13);
+      CHECK_NEAR(areas[1] / (scale * scale), 0.4 * full, 1e-13);
+    }
   }
   // vtkPolygon gives up on a polygon without area: still n - 2 triangles, for the intake to count.
   const std::vector<Point3> line = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 },
