@@ -2,20 +2,19 @@
  * @class   vtkRestrictedVoronoiAlgorithm
  * @brief   Output ports of the filters that compute a restricted Voronoi diagram.
  *
- * | port | data | arrays |
- * |---|---|---|
- * | 0 `Surface` | triangles, the restricted Delaunay triangulation: one point per connected
- * component of a restricted cell, placed by `VertexPlacement` | point: `SiteId`, `ComponentId`,
- * `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, the input's point arrays; cell: the
- * input's cell arrays | | 1 `VoronoiCells` | convex polygons, one per facet and site (no points
- * or lines that ties leave) | cell: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`,
- * `InputCellId`,
- * `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point: `Embedding` | | 2 `Sites`
- * | one vertex per site | point: `SiteId`, `MergedSiteId`, `PatchId`, `Weight`, `Embedding`,
- * `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors` | | 3 `Convergence` |
- * vtkTable | `Iteration`, `Energy`, `GradientNorm`, `StepLength`, `Time` (s) | | 4 `Edges` | lines
- * | cell: `EdgeType` (0 between two cells, 1 feature, 2 boundary, 3 non-manifold), `SiteId` (2
- * components, -1 for none) |
+ * - Port 0 `Surface`: triangles, the restricted Delaunay triangulation, with one point per
+ *   connected component of a restricted cell, placed by `VertexPlacement`. Point arrays: `SiteId`,
+ *   `ComponentId`, `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, and the input's;
+ *   cell arrays: the input's.
+ * - Port 1 `VoronoiCells`: convex polygons, one per facet and site (no points or lines that ties
+ *   leave). Cell arrays: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`,
+ *   `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point array: `Embedding`.
+ * - Port 2 `Sites`: one vertex per site. Point arrays: `SiteId`, `MergedSiteId`, `PatchId`,
+ *   `Weight`, `Embedding`, `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors`.
+ * - Port 3 `Convergence`: vtkTable with `Iteration`, `Energy`, `GradientNorm`, `StepLength`, `Time`
+ *   (s).
+ * - Port 4 `Edges`: lines. Cell arrays: `EdgeType` (0 between two cells, 1 feature, 2 boundary, 3
+ *   non-manifold), `SiteId` (2 components, -1 for none).
  *
  * A site on a feature of the surface (see vtkAnisotropicRemesher) has a copy in each patch and fan
  * around it, so that the mesh has one point for several sites: `MergedSiteId` is the lowest

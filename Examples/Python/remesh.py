@@ -43,7 +43,8 @@ def main(source, target, points=3000, anisotropy=0.05):
     writer.SetInputConnection(remesher.GetOutputPort())
     writer.SetFileName(target)
     writer.SetDataModeToBinary()
-    writer.Write()
+    if not writer.Write() or writer.GetErrorCode():
+        sys.exit(f"{target} cannot be written.")
 
 
 if __name__ == "__main__":
