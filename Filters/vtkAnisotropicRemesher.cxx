@@ -59,11 +59,6 @@ int vtkAnisotropicRemesher::RequestData(
     remesh::emptyPorts(outputVector);
     return 0;
   }
-  if (initialSites && this->DistanceTolerance > 0.0)
-  {
-    vtkWarningMacro("The distance tolerance does not count: initial sites give the number of "
-                    "points.");
-  }
   const bool preserve = this->PreserveFeatures && !initialSites;
   this->Internals->Features = { preserve, this->FeatureAngle };
   const bool isOnePercent = this->MaximumNumberOfExtraPoints == ONE_PERCENT;
@@ -84,7 +79,14 @@ int vtkAnisotropicRemesher::RequestData(
   options.quasiNewton.historyLength = this->HistoryLength;
   options.quasiNewton.gradientTolerance = this->GradientTolerance;
   options.quasiNewton.energyTolerance = this->EnergyTolerance;
-  return this->ComputeDiagram(inputVector, outputVector, options, initialSites, this->Seed);
+  const int done =
+    this->ComputeDiagram(inputVector, outputVector, options, initialSites, this->Seed);
+  if (done && !isEmpty && initialSites && this->DistanceTolerance > 0.0)
+  {
+    vtkWarningMacro("The distance tolerance does not count: initial sites give the number of "
+                    "points.");
+  }
+  return done;
 }
 
 void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)

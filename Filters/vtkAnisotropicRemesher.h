@@ -158,11 +158,11 @@ public:
   ///@{
   /**
    * Whether the first sites are grown from a quarter as many, which take a few iterations first,
-   * and the middles between these. The mesh has fewer irregular vertices, and after as many
-   * iterations a lower energy (about 0.2 % on scans, as ten times the iterations would reach). Off
-   * by default: where features of the surface are smaller than the coarse cells, there are fewer
-   * points on them. Costs as much as about ten iterations. Without effect below 400 free points,
-   * without iterations, and with initial sites.
+   * and the middles between these. Triangles are more regular, and the energy is lower after as
+   * many iterations (about 0.2 % on scans), or the same after half of them. Off by default: details
+   * of the surface smaller than the coarse cells may get fewer points. Costs as much as three to
+   * ten iterations. Without effect below 400 free points, without iterations, and with initial
+   * sites.
    */
   vtkSetMacro(CoarseStart, bool);
   vtkGetMacro(CoarseStart, bool);

@@ -72,7 +72,7 @@ Status drawFreeSites(const Task& task, const std::vector<Offset>& counts, const 
 Status growFreeSites(
   const Task& task, const RunControl& control, std::vector<Offset>& counts, RemeshResult& result)
 {
-  const Offset coarseSites = std::accumulate(counts.begin(), counts.end(), Offset(0)) / growth + 2;
+  const Offset coarseSites = std::accumulate(counts.begin(), counts.end(), Offset(0)) / growth;
   if (coarseSites < fewestCoarse)
   {
     return Status::success();
@@ -82,30 +82,33 @@ Status growFreeSites(
   const Task coarseTask{ task.mesh, task.surface, task.features, options };
   RemeshResult coarse;
   coarse.sites.dimension = task.surface.dimension;
-  Status status = task.features ? makeFixedSites(coarseTask, control, coarse) : Status::success();
+  Status status =
+    task.features ? makeFixedSites(coarseTask, control.silent(), coarse) : Status::success();
   if (status.ok())
   {
-    status = drawFreeSites(coarseTask, shareOut(coarseTask, coarse, coarseSites), control, coarse);
+    status = drawFreeSites(
+      coarseTask, shareOut(coarseTask, coarse, coarseSites + 2), control.silent(), coarse);
   }
   RestrictedVoronoi voronoi(task.surface);
   if (status.ok())
   {
     status = relaxLloyd(voronoi, task.surface, std::min(options.lloydIterations, coarseLloyd),
-      options.seed, control, coarse.sites, coarse.sums, coarse.convergence, coarse.emptyCells);
+      options.seed, control.step(0, 3), coarse.sites, coarse.sums, coarse.convergence,
+      coarse.emptyCells);
   }
   if (status.ok())
   {
     options.quasiNewton.iterations = std::min(options.quasiNewton.iterations, coarseNewton);
-    status = minimizeQuasiNewton(voronoi, task.surface, options.quasiNewton, options.seed, control,
-      coarse.sites, coarse.sums, coarse.convergence, coarse.emptyCells);
+    status = minimizeQuasiNewton(voronoi, task.surface, options.quasiNewton, options.seed,
+      control.step(1, 3), coarse.sites, coarse.sums, coarse.convergence, coarse.emptyCells);
   }
   if (status.ok())
   {
-    status = voronoi.decompose(coarse.sites, control, coarse.sums, coarse.diagram);
+    status = voronoi.decompose(coarse.sites, control.step(2, 3), coarse.sums, coarse.diagram);
   }
   result.evaluations = voronoi.evaluations();
   return status.ok()
-    ? growSites(task.surface, coarse.sites, coarse.diagram, control, counts, result.sites)
+    ? growSites(task.surface, coarse.sites, coarse.diagram, control.silent(), counts, result.sites)
     : status;
 }
 }
@@ -135,11 +138,11 @@ Status makeSites(const Task& task, const RunControl& control, RemeshResult& resu
   const bool iterates = options.lloydIterations > 0 || options.quasiNewton.iterations > 0;
   if (options.coarseStart && iterates)
   {
-    if (Status status = growFreeSites(task, control.silent(), counts, result); !status.ok())
+    if (Status status = growFreeSites(task, control.step(0, 2), counts, result); !status.ok())
     {
       return status;
     }
   }
-  return drawFreeSites(task, counts, control, result);
+  return drawFreeSites(task, counts, control.step(1, 2), result);
 }
 }

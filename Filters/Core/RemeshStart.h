@@ -17,7 +17,8 @@ namespace remesh
  * after as many iterations, or as low after half of them.
  *
  * @param result gets sites, stations and sites on features.
- * Cost: with a coarse start, about that of six iterations.
+ * Cost: with a coarse start, about that of three to ten iterations: the more facets there are for
+ * each site, the more.
  */
 Status makeSites(const Task& task, const RunControl& control, RemeshResult& result);
 }

@@ -98,6 +98,24 @@ void testCancel()
   }
 }
 
+/** Nor does a coarse start go on, or report less than what was reached. */
+void testCancelCoarseStart()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.4, 20, 12));
+  const EmbeddedSurface surface = test::embedded(mesh, 6);
+  RemeshOptions options = shortRun();
+  options.numberOfSites = 500;
+  const int without = runUntil(mesh, surface, options, Schedule::Smp, 1000000, StatusCode::Ok);
+  options.coarseStart = true;
+  const int all = runUntil(mesh, surface, options, Schedule::Smp, 1000000, StatusCode::Ok);
+  CHECK(all > without);
+  for (int k = 1; k <= all; k += 1 + all / 31)
+  {
+    const int asked = runUntil(mesh, surface, options, Schedule::Smp, k, StatusCode::Cancelled);
+    CHECK(asked < k + 32);
+  }
+}
+
 /** Told from outside by another thread, as a user does. */
 void testCancelFromOutside()
 {
@@ -167,6 +185,7 @@ void testProgressWithRepairs()
 int TestCancel(int, char*[])
 {
   testCancel();
+  testCancelCoarseStart();
   testCancelFromOutside();
   testProgressWithEmptyCells();
   testProgressWithRepairs();

@@ -74,6 +74,18 @@ void testOptions(vtkPolyData* input)
   CHECK(embedding(random) != embedding(plain));
   CHECK_EQUAL(random->GetSitesOutput()->GetNumberOfPoints(), numberOfSites);
 
+  const auto more = [](bool coarseStart)
+  {
+    return [=](vtkAnisotropicRemesher* filter)
+    {
+      filter->SetNumberOfPoints(500);
+      filter->SetCoarseStart(coarseStart);
+    };
+  };
+  const auto grown = run(input, more(true));
+  CHECK(grown->GetEnergy() < run(input, more(false))->GetEnergy());
+  CHECK_EQUAL(grown->GetOutput()->GetNumberOfPoints(), 500);
+
   // Anisotropy 0 is plain R^3, and so is the mode POSITION.
   const auto zero = run(input, [](vtkAnisotropicRemesher* filter) { filter->SetAnisotropy(0.0); });
   CHECK_EQUAL(zero->GetDimension(), 3);

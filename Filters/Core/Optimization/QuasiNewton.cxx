@@ -49,30 +49,32 @@ public:
     {
       return;
     }
-    Correction pair = std::move(m_spare);
+    const auto stepAt = [&](std::size_t k)
+    { return Bfloat16(static_cast<float>(length * direction[k])); };
+    const auto changeAt = [&](std::size_t k)
+    { return Bfloat16(static_cast<float>(2.0 * (momentBefore[k] - momentAfter[k]))); };
+    const double product = m_vectors.sum([&](std::size_t k)
+      { return static_cast<double>(stepAt(k)) * static_cast<double>(changeAt(k)); });
+    if (!(product > 0.0))
+    {
+      return; // and the oldest pair stays
+    }
+    Correction pair;
+    if (m_history.size() == m_length)
+    {
+      pair = std::move(m_history.front()); // for its memory
+      m_history.pop_front();
+    }
+    pair.product = product;
     pair.step.resize(direction.size());
     pair.change.resize(direction.size());
     m_vectors.forEach(
       [&](std::size_t k)
       {
-        pair.step[k] = Bfloat16(static_cast<float>(length * direction[k]));
-        pair.change[k] = Bfloat16(static_cast<float>(2.0 * (momentBefore[k] - momentAfter[k])));
+        pair.step[k] = stepAt(k);
+        pair.change[k] = changeAt(k);
       });
-    pair.product = m_vectors.sum([&](std::size_t k)
-      { return static_cast<double>(pair.step[k]) * static_cast<double>(pair.change[k]); });
-    if (pair.product > 0.0)
-    {
-      if (m_history.size() == m_length)
-      {
-        m_spare = std::move(m_history.front());
-        m_history.pop_front();
-      }
-      m_history.push_back(std::move(pair));
-    }
-    else
-    {
-      m_spare = std::move(pair);
-    }
+    m_history.push_back(std::move(pair));
   }
 
   /** Direction -H g with g = -2 moment and the initial H = gamma diag(1 / (2 m_i)). */
@@ -130,7 +132,6 @@ private:
   std::size_t m_length;
   const BlockedVectors& m_vectors;
   std::deque<Correction> m_history; ///< oldest first
-  Correction m_spare;               ///< kept for its memory
 };
 
 /**

@@ -118,8 +118,8 @@ public:
     if (m_owed > mostOwed && m_cells.neighbors[site].size() > 1)
     {
       this->addBetweenThree(site);
-      m_owed -= 1.0;
     }
+    m_owed = std::min(m_owed, mostOwed);
   }
 
   Index numberOfSites() const { return m_sites.count(); }
