@@ -158,7 +158,7 @@ std::vector<Option> MakeTable()
       SetPoints },
     { "--tolerance", "T",
       "Instead of --points: as many as keep mesh and surface within this distance of each other, a "
-      "fraction of the bounding-box diagonal, 0 to 1. Default 0: off.",
+      "fraction of the bounding-box diagonal, 0 to 1. Not with --initial-sites. Default 0: off.",
       Number("--tolerance", &Options::Tolerance, 0.0, 1.0) },
     { "--anisotropy", "S",
       "How much the normals count, as a fraction of the bounding-box diagonal, 0 to 1. "
