@@ -214,10 +214,9 @@ std::vector<Option> MakeTable()
       Number("--merge-tolerance", &Options::MergeTolerance, 0.0, 0.1) },
     { "--sampling", "M", "How the first sites are drawn: random or stratified (default).",
       Choice("--sampling", &Options::Sampling, { "random", "stratified" }) },
-    { "--coarse-start", "",
-      "Grow the first sites from a quarter as many that take a few iterations first: more regular, "
-      "but details smaller than the coarse cells may get fewer points.",
-      Flag(&Options::CoarseStart, true) },
+    { "--no-coarse-start", "",
+      "Do not grow the first sites from a quarter as many that take a few iterations first.",
+      Flag(&Options::CoarseStart, false) },
     { "--placement", "P",
       "Where the points are put: centroid or quadric of their cells, surface (the closest point), "
       "or fit (default): where all triangles together are closest to the surface.",

@@ -43,7 +43,7 @@ struct Options
   double MergeTolerance = 0.0; // fraction of the bounding-box diagonal
   std::string Sampling = "stratified";
   std::string Placement = "fit";
-  bool CoarseStart = false;
+  bool CoarseStart = true;
   bool MeasureDistance = true;
 
   // Further outputs; "": not written.

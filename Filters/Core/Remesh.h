@@ -42,7 +42,7 @@ struct RemeshOptions
   SamplingMethod sampling = SamplingMethod::Stratified;
   std::uint64_t seed = 0;
   /** Whether the first sites are grown from fewer, see RemeshStart.h. */
-  bool coarseStart = false;
+  bool coarseStart = true;
   int lloydIterations = 5;
   QuasiNewtonOptions quasiNewton;
   /** False: the given sites are final, whatever their cells. */

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace remesh
@@ -17,8 +16,9 @@ namespace
 {
 constexpr Offset growth = 4; // times as many sites, where each pair of neighbours has one
 constexpr Offset fewestCoarse = 100;
+constexpr Offset fewestForFixed = 20; // sites in all: beside fixed ones nothing grows
 constexpr int coarseLloyd = 2;
-constexpr int coarseNewton = 10;
+constexpr int coarseNewton = 8;
 
 /** The sites on the features. */
 Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult& result)
@@ -46,7 +46,7 @@ std::vector<Offset> shareOut(const Task& task, const RemeshResult& result, Offse
     : std::vector<Offset>{ freeSites };
 }
 
-/** Draws so many more in each patch. */
+/** Draws so many in each patch. */
 Status drawFreeSites(const Task& task, const std::vector<Offset>& counts, const RunControl& control,
   RemeshResult& result)
 {
@@ -56,24 +56,15 @@ Status drawFreeSites(const Task& task, const std::vector<Offset>& counts, const 
     return samplePatches(
       task.surface, *task.features, counts, options.sampling, options.seed, result.sites, control);
   }
-  if (result.sites.count() == 0)
-  {
-    return sampleSurface(
-      task.surface, counts[0], options.sampling, options.seed, result.sites, control);
-  }
-  std::vector<Index> facets(static_cast<std::size_t>(task.surface.numberOfFacets()));
-  std::iota(facets.begin(), facets.end(), 0);
-  return counts[0] > 0 ? drawSites(task.surface, facets, counts[0], options.sampling, options.seed,
-                           result.sites, control)
-                       : Status::success();
+  return sampleSurface(
+    task.surface, counts[0], options.sampling, options.seed, result.sites, control);
 }
 
-/** Free sites from those of a quarter as many, where these are enough to be of use. */
-Status growFreeSites(
-  const Task& task, const RunControl& control, std::vector<Offset>& counts, RemeshResult& result)
+/** Grows free sites from those of a quarter as many, where enough of them would be of use. */
+Status growFreeSites(const Task& task, const RunControl& control, RemeshResult& result)
 {
-  const Offset coarseSites = std::accumulate(counts.begin(), counts.end(), Offset(0)) / growth;
-  if (coarseSites < fewestCoarse)
+  const Offset coarseSites = (result.sites.count() - result.sites.fixed) / growth;
+  if (coarseSites < fewestCoarse || result.sites.count() / fewestForFixed < result.sites.fixed)
   {
     return Status::success();
   }
@@ -107,9 +98,9 @@ Status growFreeSites(
     status = voronoi.decompose(coarse.sites, control.step(2, 3), coarse.sums, coarse.diagram);
   }
   result.evaluations = voronoi.evaluations();
-  return status.ok()
-    ? growSites(task.surface, coarse.sites, coarse.diagram, control.silent(), counts, result.sites)
-    : status;
+  return status.ok() ? growSites(task.surface, { coarse.sites, coarse.sums, coarse.diagram },
+                         control.silent(), result.sites)
+                     : status;
 }
 }
 
@@ -133,16 +124,13 @@ Status makeSites(const Task& task, const RunControl& control, RemeshResult& resu
       return status;
     }
   }
-  std::vector<Offset> counts =
-    shareOut(task, result, options.numberOfSites - result.featureSites.numberOfPoints());
+  const Offset freeSites = options.numberOfSites - result.featureSites.numberOfPoints();
+  Status status = drawFreeSites(task, shareOut(task, result, freeSites), control.silent(), result);
   const bool iterates = options.lloydIterations > 0 || options.quasiNewton.iterations > 0;
-  if (options.coarseStart && iterates)
+  if (status.ok() && options.coarseStart && iterates)
   {
-    if (Status status = growFreeSites(task, control.step(0, 2), counts, result); !status.ok())
-    {
-      return status;
-    }
+    status = growFreeSites(task, control, result);
   }
-  return drawFreeSites(task, counts, control.step(1, 2), result);
+  return status;
 }
 }

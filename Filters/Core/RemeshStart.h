@@ -11,10 +11,10 @@ namespace remesh
 {
 /**
  * The sites given, or as many as are wanted: first those on features, if there are any, and then
- * the free ones of each patch, drawn from it or, with `coarseStart`, grown (SiteGrowth.h) from the
- * sites of a start with a quarter of them and a few iterations. What is far apart is spread evenly
- * by then, which takes the iterations longest, and cells are near hexagons: the energy is lower
- * after as many iterations, or as low after half of them.
+ * the free ones of each patch, drawn from it. With `coarseStart`, a start with a quarter of them
+ * takes a few iterations, and where its cells are near hexagons, its sites and their middles come
+ * in the place of drawn ones (SiteGrowth.h). What is far apart is spread evenly by then, which
+ * takes the iterations longest: the energy is lower after as many, or as low after two thirds.
  *
  * @param result gets sites, stations and sites on features.
  * Cost: with a coarse start, about that of three to ten iterations: the more facets there are for

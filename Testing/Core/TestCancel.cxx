@@ -105,6 +105,7 @@ void testCancelCoarseStart()
   const EmbeddedSurface surface = test::embedded(mesh, 6);
   RemeshOptions options = shortRun();
   options.numberOfSites = 500;
+  options.coarseStart = false;
   const int without = runUntil(mesh, surface, options, Schedule::Smp, 1000000, StatusCode::Ok);
   options.coarseStart = true;
   const int all = runUntil(mesh, surface, options, Schedule::Smp, 1000000, StatusCode::Ok);

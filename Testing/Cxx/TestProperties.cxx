@@ -149,7 +149,7 @@ void testRemesher()
   vtkNew<vtkAnisotropicRemesher> filter;
   CHECK_EQUAL(filter->GetNumberOfPoints(), 10000);
   CHECK_EQUAL(filter->GetSamplingMethod(), static_cast<int>(vtkAnisotropicRemesher::STRATIFIED));
-  CHECK_EQUAL(filter->GetCoarseStart(), false);
+  CHECK_EQUAL(filter->GetCoarseStart(), true);
   CHECK_EQUAL(filter->GetSeed(), 0);
   CHECK_EQUAL(filter->GetHistoryLength(), 7);
   CHECK_EQUAL(filter->GetGradientTolerance(), 0.0);

@@ -2,238 +2,249 @@
 
 #include "Embedding/Distance.h"
 #include "Optimization/SiteOrder.h"
-#include "Voronoi/CellNeighbors.h"
+#include "Support/Grouping.h"
+#include "Voronoi/NeighborSearch.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace remesh
 {
 namespace
 {
-constexpr double mostOwed = 2.0;     // sites by which a row of cells may have too many or too few
-constexpr double mostLacking = 0.05; // extra sites for each coarse one
+constexpr double mostDebt = 2.0; // sites that a row of cells may have too many or too few
 
-struct CoarseCells
+/** Free sites by patch, in their order. */
+std::vector<std::vector<Index>> freeSitesByPatch(
+  const Sites& sites, const std::vector<Index>& patches, Index numberOfPatches)
 {
-  const Sites& sites;
-  std::vector<Index> patches;                ///< n
-  std::vector<std::vector<Index>> neighbors; ///< n, those of the same patch
-  /** n, new sites that belong there less those that there are; fixed sites: none. */
-  std::vector<double> owed;
-
-  bool isFixed(Index site) const { return site < this->sites.fixed; }
-  double distance2(Index a, Index b) const
+  std::vector<std::vector<Index>> free(static_cast<std::size_t>(numberOfPatches));
+  for (Index i = sites.fixed; i < sites.count(); ++i)
   {
-    return squaredDistance<Eigen::Dynamic>(
-      this->sites.site(a), this->sites.site(b), this->sites.dimension);
+    free[patches[i]].push_back(i);
   }
+  return free;
+}
+
+/** The sites that have grown in one patch. */
+struct GrownSites
+{
+  Sites sites;
+  std::vector<std::array<Index, 2>> parents; ///< n, the sites each is the middle of; or twice one
 };
 
-Status findNeighbors(const Diagram& diagram, const RunControl& control, CoarseCells& cells)
-{
-  cells.neighbors.resize(cells.patches.size());
-  return forEachCell(diagram, cells.sites.count(), control,
-    [&](Index site, const std::vector<Index>& around)
-    {
-      std::copy_if(around.begin(), around.end(), std::back_inserter(cells.neighbors[site]),
-        [&](Index other) { return cells.patches[other] == cells.patches[site]; });
-    });
-}
-
-/** Of each cell, what the sites are to be spread evenly over. */
-std::vector<double> measureCells(
-  const EmbeddedSurface& surface, const Diagram& diagram, Index numberOfSites)
-{
-  std::vector<double> measures(static_cast<std::size_t>(numberOfSites), 0.0);
-  for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
-  {
-    measures[diagram.sites[p]] +=
-      diagram.integrals[p].fraction() * surface.constants[diagram.facets[p]].siteMeasure();
-  }
-  return measures;
-}
-
-/**
- * A middle counts by halves for its two cells. Beside fixed sites, which may be closer together
- * than others, nothing is known to be owed; half of their cells goes to fixed ones again.
- */
-void findOwed(
-  const std::vector<double>& measures, const std::vector<Offset>& counts, CoarseCells& cells)
-{
-  std::vector<double> units(counts.size(), 0.0); // measure for each new site
-  for (Index i = 0; i < cells.sites.count(); ++i)
-  {
-    units[cells.patches[i]] += (cells.isFixed(i) ? 0.5 : 1.0) * measures[i];
-  }
-  for (std::size_t p = 0; p < units.size(); ++p)
-  {
-    units[p] /= static_cast<double>(std::max(counts[p], Offset(1)));
-  }
-  cells.owed.assign(cells.patches.size(), 0.0);
-  for (Index i = cells.sites.fixed; i < cells.sites.count(); ++i)
-  {
-    const std::vector<Index>& around = cells.neighbors[i];
-    if (std::none_of(
-          around.begin(), around.end(), [&](Index other) { return cells.isFixed(other); }))
-    {
-      cells.owed[i] =
-        measures[i] / units[cells.patches[i]] - 1.0 - 0.5 * static_cast<double>(around.size());
-    }
-  }
-}
-
-/** Collects the free sites of one patch, cell by cell. */
+/** Collects what grows in one patch, cell by cell. */
 class PatchGrowth
 {
 public:
   explicit PatchGrowth(const CoarseCells& cells)
     : m_cells(cells)
   {
-    m_sites.dimension = cells.sites.dimension;
   }
 
-  /** The site of a free cell, and its middles with fixed and with later sites. */
+  /** The site of a cell that grows, and its middles with all but those that grew before. */
   void addCell(Index site)
   {
-    this->add({ site }, std::numeric_limits<double>::infinity());
+    const std::vector<Index>& around = m_cells.neighbors[site];
+    m_pairs.push_back({ site, site });
     m_partners.clear();
-    std::copy_if(m_cells.neighbors[site].begin(), m_cells.neighbors[site].end(),
-      std::back_inserter(m_partners),
-      [&](Index other) { return m_cells.isFixed(other) || other > site; });
+    std::copy_if(around.begin(), around.end(), std::back_inserter(m_partners),
+      [&](Index other) { return !m_cells.grows[other] || other > site; });
     const auto nearer = [&](Index a, Index b)
     { return m_cells.distance2(site, a) < m_cells.distance2(site, b); };
-    m_owed += m_cells.owed[site];
-    for (; m_owed < -mostOwed && !m_partners.empty(); m_owed += 1.0)
+    m_debt += m_cells.due[site] - 1.0 - 0.5 * static_cast<double>(around.size());
+    for (; m_debt < -mostDebt && !m_partners.empty(); m_debt += 1.0)
     {
       m_partners.erase(std::min_element(m_partners.begin(), m_partners.end(), nearer));
     }
-    m_owed = std::max(m_owed, -mostOwed); // or it would be paid far away
+    m_debt = std::clamp(m_debt, -mostDebt, mostDebt); // or it would be paid far away
     for (const Index other : m_partners)
     {
-      this->add({ site, other }, m_cells.distance2(site, other));
+      m_pairs.push_back({ site, other });
     }
-    if (m_owed > mostOwed && m_cells.neighbors[site].size() > 1)
-    {
-      this->addBetweenThree(site);
-    }
-    m_owed = std::min(m_owed, mostOwed);
   }
 
-  Index numberOfSites() const { return m_sites.count(); }
-  Offset numberLacking() const { return m_lacking; }
-
-  /** Leaves out the middles of the shortest pairs. */
-  void shrinkTo(Index count)
+  /** At most so many: without the middles of the shortest pairs. */
+  GrownSites grown(std::size_t most)
   {
-    std::vector<Index> kept(static_cast<std::size_t>(this->numberOfSites()));
-    std::iota(kept.begin(), kept.end(), 0);
-    std::stable_sort(
-      kept.begin(), kept.end(), [&](Index a, Index b) { return m_lengths2[a] > m_lengths2[b]; });
-    kept.resize(static_cast<std::size_t>(count));
-    std::sort(kept.begin(), kept.end());
-    m_sites = inOrder(m_sites, kept);
+    if (m_pairs.size() > most)
+    {
+      std::stable_sort(m_pairs.begin(), m_pairs.end(),
+        [&](const auto& a, const auto& b) { return this->length2(a) > this->length2(b); });
+      m_pairs.resize(most);
+    }
+    GrownSites result;
+    result.sites.dimension = m_cells.sites.dimension;
+    for (const auto& [first, second] : m_pairs)
+    {
+      const double* const a = m_cells.sites.site(first);
+      const double* const b = m_cells.sites.site(second);
+      for (int k = 0; k < m_cells.sites.dimension; ++k)
+      {
+        result.sites.coordinates.push_back(0.5 * (a[k] + b[k]));
+      }
+    }
+    result.parents = m_pairs;
+    return result;
   }
-
-  const Sites& sites() const { return m_sites; }
 
 private:
-  /** The mean of some sites. */
-  void add(std::initializer_list<Index> corners, double length2)
+  /** By which pairs are compared. */
+  double length2(const std::array<Index, 2>& pair) const
   {
-    const auto size = static_cast<double>(corners.size());
-    for (int k = 0; k < m_sites.dimension; ++k)
-    {
-      double sum = 0.0;
-      for (const Index corner : corners)
-      {
-        sum += m_cells.sites.site(corner)[k];
-      }
-      m_sites.coordinates.push_back(sum / size);
-    }
-    m_lengths2.push_back(length2);
-  }
-
-  /** Towards the farthest neighbour, and the one nearest to that. */
-  void addBetweenThree(Index site)
-  {
-    const std::vector<Index>& around = m_cells.neighbors[site];
-    const Index far = *std::max_element(around.begin(), around.end(),
-      [&](Index a, Index b) { return m_cells.distance2(site, a) < m_cells.distance2(site, b); });
-    const auto fromFar = [&](Index other) {
-      return other == far ? std::numeric_limits<double>::infinity() : m_cells.distance2(far, other);
-    };
-    const Index next = *std::min_element(
-      around.begin(), around.end(), [&](Index a, Index b) { return fromFar(a) < fromFar(b); });
-    this->add({ site, far, next }, m_cells.distance2(site, far));
-    ++m_lacking;
+    return pair[0] == pair[1] ? std::numeric_limits<double>::infinity()
+                              : m_cells.distance2(pair[0], pair[1]) * m_cells.scales[pair[0]];
   }
 
   const CoarseCells& m_cells;
-  Sites m_sites;
-  std::vector<double> m_lengths2; ///< of the pairs, squared; infinite for coarse sites
-  std::vector<Index> m_partners;  ///< scratch
-  double m_owed = 0.0;            ///< by the cells so far
-  Offset m_lacking = 0;           ///< sites that middles were too few for
+  std::vector<std::array<Index, 2>> m_pairs;
+  std::vector<Index> m_partners; ///< scratch
+  double m_debt = 0.0;           ///< sites that the cells so far should have more
 };
 
-/** The free sites, patch by patch; of one patch along the curve that they were drawn on. */
-std::vector<Index> freeSitesByPatch(const CoarseCells& cells)
+/** A drawn site that there may be a place for. */
+struct Candidate
 {
-  std::vector<Index> order(static_cast<std::size_t>(cells.sites.count() - cells.sites.fixed));
-  std::iota(order.begin(), order.end(), cells.sites.fixed);
-  std::stable_sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return cells.patches[a] < cells.patches[b]; });
-  return order;
-}
+  Index site = noIndex;
+  Index cell = noIndex; ///< the coarse one
+  double gap = 0.0;     ///< squared distance from what has grown, scaled
+  bool wanted = false;
+};
+
+Status findCandidates(const Sites& drawn, const std::vector<Index>& own, const CoarseCells& cells,
+  const NeighborSearch& coarseSearch, const GrownSites& grown, const RunControl& control,
+  std::vector<Candidate>& candidates)
+{
+  const NeighborSearch grownSearch(grown.sites);
+  candidates.resize(own.size());
+  const auto find = [&](Offset k)
+  {
+    const double* const site = drawn.site(own[k]);
+    const Index nearest = grownSearch.nearest(site);
+    const double gap =
+      squaredDistance<Eigen::Dynamic>(site, grown.sites.site(nearest), drawn.dimension);
+    candidates[k] = { own[k], coarseSearch.nearest(site),
+      gap * cells.scales[grown.parents[nearest][0]], false };
+  };
+  return forEachItem(static_cast<Offset>(own.size()), control, find) ? Status::success()
+                                                                     : Status::cancelled();
 }
 
-Status growSites(const EmbeddedSurface& surface, const Sites& sites, const Diagram& diagram,
-  const RunControl& control, std::vector<Offset>& counts, Sites& grown)
+/** Marks as many in each cell as are due to it and have not grown. Sorts them by cells. */
+void chooseInCells(
+  const CoarseCells& cells, const GrownSites& grown, std::vector<Candidate>& candidates)
 {
-  CoarseCells cells{ sites, {}, {}, {} };
-  for (Index i = 0; i < sites.count(); ++i)
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return std::tie(a.cell, b.gap, a.site) < std::tie(b.cell, a.gap, b.site); });
+  std::vector<double> left = cells.due;
+  for (const auto& [first, second] : grown.parents)
   {
-    cells.patches.push_back(surface.patches.patchOf(sites.site(i)));
+    left[first] -= 0.5;
+    left[second] -= 0.5;
   }
-  if (Status status = findNeighbors(diagram, control.silent(), cells); !status.ok())
+  double debt = 0.0;
+  for (auto next = candidates.begin(); next != candidates.end();)
+  {
+    const Index cell = next->cell;
+    debt += left[cell];
+    const double least = cells.grows[cell] ? mostDebt : 0.5; // regular cells have no gaps
+    for (; next != candidates.end() && next->cell == cell; ++next)
+    {
+      next->wanted = debt >= least;
+      debt -= next->wanted ? 1.0 : 0.0;
+    }
+    debt = std::clamp(debt, -mostDebt, mostDebt);
+  }
+}
+
+/** Adds so many drawn sites to those that have grown: the wanted ones first, the farthest first. */
+void addCandidates(
+  std::vector<Candidate>& candidates, std::size_t count, const Sites& drawn, Sites& sites)
+{
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return std::tie(b.wanted, b.gap, a.site) < std::tie(a.wanted, a.gap, b.site); });
+  candidates.resize(count);
+  for (const Candidate& candidate : candidates)
+  {
+    const double* const site = drawn.site(candidate.site);
+    sites.coordinates.insert(sites.coordinates.end(), site, site + drawn.dimension);
+  }
+}
+
+/** The free sites of one patch. Where nothing grows, the drawn ones. */
+Status growPatch(const Sites& drawn, const std::vector<Index>& own, const CoarseCells& cells,
+  const std::vector<Index>& coarseSites, const NeighborSearch& coarseSearch,
+  const RunControl& control, Sites& sites)
+{
+  PatchGrowth growth(cells);
+  for (const Index site : coarseSites)
+  {
+    if (cells.grows[site])
+    {
+      growth.addCell(site);
+    }
+  }
+  GrownSites grown = growth.grown(own.size());
+  if (grown.parents.empty())
+  {
+    sites = inOrder(drawn, own);
+    return Status::success();
+  }
+  std::vector<Candidate> candidates;
+  if (Status status = findCandidates(drawn, own, cells, coarseSearch, grown, control, candidates);
+      !status.ok())
   {
     return status;
   }
-  findOwed(measureCells(surface, diagram, sites.count()), counts, cells);
+  chooseInCells(cells, grown, candidates);
+  addCandidates(candidates, own.size() - grown.parents.size(), drawn, grown.sites);
+  sites = inOrder(grown.sites, orderInSpace(grown.sites, control));
+  return control.cancelled() ? Status::cancelled() : Status::success();
+}
+}
 
-  std::vector<Offset> left = counts;
-  std::vector<double> coordinates;
-  Offset lacking = 0;
-  const std::vector<Index> order = freeSitesByPatch(cells);
-  for (std::size_t k = 0; k < order.size();)
+Status growSites(const EmbeddedSurface& surface, const CoarseTessellation& coarse,
+  const RunControl& control, Sites& sites)
+{
+  const std::vector<Index> patches = patchesOf(surface, sites);
+  CoarseCells cells{ coarse.sites, patchesOf(surface, coarse.sites), {}, {}, {}, {} };
+  const Index numberOfPatches = 1 +
+    std::max(*std::max_element(patches.begin(), patches.end()),
+      *std::max_element(cells.patches.begin(), cells.patches.end()));
+  const auto drawn = freeSitesByPatch(sites, patches, numberOfPatches);
+  const auto coarseSites = freeSitesByPatch(coarse.sites, cells.patches, numberOfPatches);
+  std::vector<Offset> wanted;
+  std::transform(drawn.begin(), drawn.end(), std::back_inserter(wanted),
+    [](const std::vector<Index>& own) { return static_cast<Offset>(own.size()); });
+  if (Status status = findCoarseCells(surface, coarse, wanted, control, cells); !status.ok())
   {
-    const Index patch = cells.patches[order[k]];
-    PatchGrowth growth(cells);
-    for (; k < order.size() && cells.patches[order[k]] == patch; ++k)
-    {
-      growth.addCell(order[k]);
-    }
-    lacking += growth.numberLacking();
-    if (growth.numberOfSites() > counts[patch])
-    {
-      growth.shrinkTo(static_cast<Index>(counts[patch]));
-    }
-    const Sites along = inOrder(growth.sites(), orderInSpace(growth.sites(), control.silent()));
-    if (control.cancelled())
-    {
-      return Status::cancelled();
-    }
-    coordinates.insert(coordinates.end(), along.coordinates.begin(), along.coordinates.end());
-    left[patch] -= along.count();
+    return status;
   }
-  if (static_cast<double>(lacking) <= mostLacking * static_cast<double>(order.size()))
+
+  const NeighborSearch coarseSearch(coarse.sites);
+  Sites result;
+  result.dimension = sites.dimension;
+  result.fixed = sites.fixed;
+  result.coordinates.assign(sites.coordinates.data(), sites.site(sites.fixed));
+  for (Index patch = 0; patch < numberOfPatches; ++patch)
   {
-    counts = std::move(left);
-    grown.coordinates.insert(grown.coordinates.end(), coordinates.begin(), coordinates.end());
+    Sites grown;
+    if (Status status =
+          growPatch(sites, drawn[patch], cells, coarseSites[patch], coarseSearch, control, grown);
+        !status.ok())
+    {
+      return status;
+    }
+    result.coordinates.insert(
+      result.coordinates.end(), grown.coordinates.begin(), grown.coordinates.end());
   }
+  sites = std::move(result);
   return Status::success();
 }
 }
