@@ -36,6 +36,8 @@ constexpr double leastLength = 0.1;
  * the step moves it. */
 constexpr double wantedReduction = 1e-2;
 constexpr std::size_t facetsBetweenQuestions = 1 << 14;
+/** Rows of more entries, as of a fan's tip, are not put in order by insertion. */
+constexpr Offset longestInserted = 64;
 
 /** M + t L by rows: the off-diagonal entries are -t times the weights. */
 struct FlowMatrix
@@ -83,10 +85,16 @@ std::array<double, 3> halfCotangents(const Triangle& triangle, double doubleArea
   return halves;
 }
 
-/** Puts a row's entries in the order of their columns and joins equal ones. Returns how many. */
-Offset mergeRow(Entry* row, Offset count)
+/** Puts a row's entries in the order of their columns; equal ones stay in theirs. */
+void orderRow(Entry* row, Offset count)
 {
-  for (Offset k = 1; k < count; ++k) // insertion: short, and stable
+  if (count > longestInserted)
+  {
+    std::stable_sort(
+      row, row + count, [](const Entry& a, const Entry& b) { return a.column < b.column; });
+    return;
+  }
+  for (Offset k = 1; k < count; ++k)
   {
     const Entry entry = row[k];
     Offset place = k;
@@ -96,6 +104,12 @@ Offset mergeRow(Entry* row, Offset count)
     }
     row[place] = entry;
   }
+}
+
+/** Joins a row's entries of equal columns, in the order of these. Returns how many are left. */
+Offset mergeRow(Entry* row, Offset count)
+{
+  orderRow(row, count);
   Offset merged = 0;
   for (Offset k = 0; k < count; ++k)
   {
