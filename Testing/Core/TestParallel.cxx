@@ -4,9 +4,36 @@
 #include "TestSupport.h"
 
 #include <atomic>
+#include <cstdlib>
 #include <new>
 
 using namespace remesh;
+
+namespace
+{
+/** While it is set, the memory of this thread has run out. */
+thread_local bool memoryIsOut = false;
+}
+
+void* operator new(std::size_t size)
+{
+  void* memory = memoryIsOut ? nullptr : std::malloc(size > 0 ? size : 1);
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
+void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
 
 namespace
 {
@@ -50,6 +77,46 @@ void testExceptions(Schedule schedule)
   CHECK(caught);
   CHECK(calls.load() < 1000); // no group follows
 }
+
+/** What was lent comes back, and is lent again; without memory, too. */
+void testScratchPool()
+{
+  int made = 0;
+  ScratchPool<int> pool([&]() { return std::make_unique<int>(made++); });
+  for (int round = 0; round < 3; ++round)
+  {
+    auto first = pool.borrow();
+    auto second = pool.borrow();
+    auto third = pool.borrow();
+    CHECK(*first != *second && *second != *third && *third != *first);
+    memoryIsOut = true;
+    first.reset();
+    second.reset();
+    third.reset();
+    memoryIsOut = false;
+    CHECK_EQUAL(made, 3);
+  }
+  {
+    const auto all = { pool.borrow().release(), pool.borrow().release(), pool.borrow().release() };
+    memoryIsOut = true;
+    bool failed = false;
+    try
+    {
+      pool.borrow();
+    }
+    catch (const std::bad_alloc&)
+    {
+      failed = true;
+    }
+    memoryIsOut = false;
+    CHECK(failed);
+    for (int* item : all)
+    {
+      delete item;
+    }
+  }
+  CHECK(*pool.borrow() >= 3);
+}
 }
 
 int TestParallel(int, char*[])
@@ -60,5 +127,6 @@ int TestParallel(int, char*[])
     testEachOnce(schedule);
     testExceptions(schedule);
   }
+  testScratchPool();
   return test::result();
 }

@@ -52,7 +52,18 @@ template <class T>
 class ScratchPool
 {
 public:
-  using Lease = std::unique_ptr<T, std::function<void(T*)>>;
+  /** Gives an object back. There is room for it, so that the end of a lease cannot fail. */
+  struct Return
+  {
+    ScratchPool* pool;
+
+    void operator()(T* used) const noexcept
+    {
+      const std::lock_guard<std::mutex> guard(this->pool->m_lock);
+      this->pool->m_idle.emplace_back(used);
+    }
+  };
+  using Lease = std::unique_ptr<T, Return>;
 
   explicit ScratchPool(std::function<std::unique_ptr<T>()> make)
     : m_make(std::move(make))
@@ -61,31 +72,34 @@ public:
 
   Lease borrow()
   {
-    std::unique_ptr<T> item;
-    {
-      const std::lock_guard<std::mutex> guard(m_lock);
-      if (!m_idle.empty())
-      {
-        item = std::move(m_idle.back());
-        m_idle.pop_back();
-      }
-    }
+    std::unique_ptr<T> item = this->takeIdle();
     if (!item)
     {
       item = m_make();
+      const std::lock_guard<std::mutex> guard(m_lock);
+      m_idle.reserve(m_made + 1);
+      ++m_made;
     }
-    return Lease(item.release(),
-      [this](T* used)
-      {
-        const std::lock_guard<std::mutex> guard(m_lock);
-        m_idle.emplace_back(used);
-      });
+    return Lease(item.release(), Return{ this });
   }
 
 private:
+  std::unique_ptr<T> takeIdle()
+  {
+    const std::lock_guard<std::mutex> guard(m_lock);
+    if (m_idle.empty())
+    {
+      return nullptr;
+    }
+    std::unique_ptr<T> item = std::move(m_idle.back());
+    m_idle.pop_back();
+    return item;
+  }
+
   std::function<std::unique_ptr<T>()> m_make;
   std::mutex m_lock;
-  std::vector<std::unique_ptr<T>> m_idle;
+  std::vector<std::unique_ptr<T>> m_idle; ///< with room for all that were made
+  std::size_t m_made = 0;
 };
 }
 
