@@ -64,22 +64,6 @@ Status knowMesh(const RunControl& control, RemeshResult& result)
                                  result.components.count(), control, result.topology.mesh);
 }
 
-/** What each vertex may do when it is placed anew. */
-std::vector<VertexKind> findVertexKinds(const RemeshResult& result)
-{
-  std::vector<VertexKind> kinds(
-    static_cast<std::size_t>(result.components.count()), VertexKind::Free);
-  for (std::size_t p = 0; p < result.seams.components.size(); ++p)
-  {
-    if (result.seams.components[p] != noIndex)
-    {
-      kinds[result.seams.components[p]] =
-        result.featureSites.points[p].isCorner ? VertexKind::Corner : VertexKind::OnCurve;
-    }
-  }
-  return kinds;
-}
-
 /** Leaves of a diagram nothing but which facets the pieces are of. */
 void keepFacetsAlone(Diagram& diagram)
 {
@@ -134,7 +118,6 @@ Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResul
   {
     return status;
   }
-  result.vertexKinds = findVertexKinds(result);
   control.enterPhase("Vertex placement", 0.6, 1.0);
   return place(task, control, result);
 }

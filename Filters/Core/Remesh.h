@@ -66,14 +66,6 @@ struct RemeshOptions
   bool keepDiagram = true;
 };
 
-/** What a vertex of the mesh may do when it is placed anew. */
-enum class VertexKind : std::uint8_t
-{
-  Free = 0,
-  OnCurve = 1, ///< of the feature graph
-  Corner = 2
-};
-
 /** Everything in the scaled units of the embedded surface, but what is in R^3. */
 struct RemeshResult
 {
@@ -88,7 +80,6 @@ struct RemeshResult
   Offset wantedVertices = 0;              ///< that there should be
   Offset neededFeaturePoints = 0;         ///< that corners and bends of the features take at least
   Seams seams;                            ///< edges of the mesh along features among it
-  std::vector<VertexKind> vertexKinds;    ///< of the components
   std::vector<SurfaceLocation> locations; ///< of the placed vertices
   Dual dual;                              ///< its triangles after placement
   Placement placement;                    ///< of its vertices

@@ -24,11 +24,6 @@ struct CellSums
   std::vector<double> moment; ///< n x d, integral of x - x_i over the cell
 
   bool isEmpty(Index site) const { return !(this->mass[site] > 0.0); }
-  Index countEmpty() const
-  {
-    return static_cast<Index>(
-      std::count_if(this->mass.begin(), this->mass.end(), [](double m) { return !(m > 0.0); }));
-  }
 
   double totalEnergy = 0.0;
   /** 2-norm of the gradient, grad_i = 2 m_i (x_i - g_i) = -2 moment_i. */

@@ -55,9 +55,6 @@ public:
    */
   void fixFirstVertices();
 
-  /** Whether the facet is shared by just two cells, the owners of its corners. */
-  bool twoSites() const { return m_complete && m_used == 2 && m_tiling.numberOfSites() == 2; }
-
   /** Pieces by increasing site id. */
   const FacetPiece* begin() const { return m_pieces.data(); }
   const FacetPiece* end() const { return m_pieces.data() + m_used; }
