@@ -130,6 +130,35 @@ void testLimit()
   CHECK_EQUAL(walk.leastDistance(), 8.0);
 }
 
+/** Sites so far away that squares overflow: walks come to an end without them, and at once there.
+ */
+void testUnreachable()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(2)), 3);
+  for (const Offset n : { 10, 30, 300 })
+  {
+    Sites sites = test::sampled(surface, n, 4);
+    sites.site(2)[1] = 1e200;
+    NeighborLists lists;
+    CHECK(lists.build(sites, RunControl()).ok());
+    LongerLists longer;
+    for (const Index site : { 0, 2, 9 })
+    {
+      std::vector<char> seen(static_cast<std::size_t>(n), 0);
+      int steps = 0;
+      NeighborWalk walk(lists, longer, site);
+      while (steps < 1000 && walk.next([](double) { return false; }))
+      {
+        ++steps;
+        seen[walk.site()] = 1;
+      }
+      CHECK(steps < 1000);
+      CHECK_EQUAL(std::count(seen.begin(), seen.end(), 1), site == 2 ? 0 : n - 2);
+      CHECK_EQUAL(walk.leastDistance(), std::numeric_limits<double>::infinity());
+    }
+  }
+}
+
 /**
  * A site that leaps over its neighbours wears the lists around it out, and no others: none is built
  * anew. From farther away, walks would go far: all are.
@@ -198,6 +227,7 @@ int TestNeighborLists(int, char*[])
   testRandomSites();
   testTies();
   testLimit();
+  testUnreachable();
   testLeapers();
   testMovingSites();
   return test::result();

@@ -339,7 +339,12 @@ bool NeighborWalk::extend()
   const double reached = m_count == 0 ? 0.0
     : m_extended                      ? m_extended->back().distance
                                       : m_list.distances[m_count - 1];
-  m_extended = &m_longer.longerThan(m_count, m_site, m_lists);
+  const std::vector<Neighbor>& longer = m_longer.longerThan(m_count, m_site, m_lists);
+  if (static_cast<Index>(longer.size()) <= m_count)
+  {
+    return false;
+  }
+  m_extended = &longer;
   const auto first = std::lower_bound(m_extended->begin(), m_extended->end(), reached,
     [](const Neighbor& neighbor, double distance) { return neighbor.distance < distance; });
   m_current = static_cast<Index>(first - m_extended->begin());

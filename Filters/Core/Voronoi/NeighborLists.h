@@ -74,8 +74,8 @@ public:
   Index longest() const { return m_length; }
 
   /**
-   * Whether the list holds all sites that are now within `distance` of this one. They are among its
-   * entries up to the distance `farthest`.
+   * Whether the list holds all sites that are now nearer than `distance` to this one. They are
+   * among its entries up to the distance `farthest`.
    */
   bool holds(Index site, double distance, double& farthest) const
   {
@@ -83,7 +83,10 @@ public:
     return distance <= this->reach(site);
   }
 
-  /** Sites that are not in the list are no nearer than this now; infinity if all are in it. */
+  /**
+   * Sites that are not in the list are no nearer than this now, which may be negative. Infinity
+   * says that there are none; where there are none, it may yet be finite.
+   */
   double reach(Index site) const { return this->leastNow(site, m_places[site].reach); }
 
   /**
@@ -97,7 +100,7 @@ public:
     return std::max(own - m_largestDisplacement,
       std::min(own - m_usualDisplacement, static_cast<double>(m_leapers[site])));
   }
-  /** The same of the sites in the list. */
+  /** Sites in the list have come nearer by no more than this since the lists were built. */
   double approachOfListed(Index site) const { return m_approaches[site]; }
 
   /** The tree over the sites as they were when the lists were built. */
@@ -142,7 +145,7 @@ private:
 class LongerLists
 {
 public:
-  /** A list of more than `count` neighbours of the site (or all there are). */
+  /** A list of more than `count` neighbours of the site, or of all whose distance is finite. */
   const std::vector<Neighbor>& longerThan(Index count, Index site, const NeighborLists& lists);
 
   void clear() { m_lists.clear(); }
@@ -153,7 +156,8 @@ private:
 
 /**
  * Walks through all other sites by increasing distance from one of them when the lists were built.
- * Sites near the end of a list may come twice; none is missed.
+ * Sites near the end of a list may come twice; none is missed but those so far away that the square
+ * of their distance was not finite.
  */
 class NeighborWalk
 {
@@ -205,6 +209,7 @@ public:
   double leastDistance() const { return m_least; }
 
 private:
+  /** Goes on in a longer list; false when there is none. */
   bool extend();
 
   const NeighborLists& m_lists;
