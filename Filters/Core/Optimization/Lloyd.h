@@ -17,7 +17,7 @@ namespace remesh
 {
 /**
  * Runs `iterations` steps; on return `sums` belongs to the final sites, and `convergence` has one
- * more row for each step (and the first row, if it was empty).
+ * more row for the sites as they were given, of step length 0, and one for each step.
  */
 Status relaxLloyd(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface, int iterations,
   std::uint64_t seed, const RunControl& control, Sites& sites, CellSums& sums,

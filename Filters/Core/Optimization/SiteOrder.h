@@ -12,9 +12,10 @@
 namespace remesh
 {
 /**
- * Whether sites that follow one another are, in the mean, far apart: more than a tenth of the
- * diagonal of all. Sites drawn from a surface are not; in any order, a run ends with the same
- * sites but for rounding, only later. O(n d).
+ * Whether sites that follow one another are, in the mean, more than a tenth of the diagonal of the
+ * box around all apart. Few sites always are; of many, those drawn from a surface are not. In such
+ * an order a run takes longer; and it ends with other sites, as rounding depends on the order.
+ * O(n d).
  */
 bool areScattered(const Sites& sites);
 
