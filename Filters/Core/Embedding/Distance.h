@@ -38,6 +38,12 @@ double squaredDistance(const double* a, const double* b, int dimension)
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+/**
+ * A bound times this covers the rounding of the few distances that it is compared with, in up to
+ * 10^6 dimensions; it lets next to no more sites through.
+ */
+constexpr double aboveRounding = 1.0 + 1e-9;
+
 /** Calls `function` with the dimension as a compile-time constant where it is compiled for it. */
 template <class Function>
 auto dispatchDimension(int dimension, Function&& function)

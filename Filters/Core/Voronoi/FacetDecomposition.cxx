@@ -11,8 +11,6 @@ namespace
 {
 /** More candidates than this, and clipping all against all costs more than walking the lists. */
 constexpr int mostCandidates = 32;
-/** Far above the rounding of a distance, far below what would add candidates. */
-constexpr double aboveRounding = 1.0 + 1e-9;
 }
 
 template <int D>

@@ -11,8 +11,6 @@ namespace remesh
 {
 namespace
 {
-/** Far above the rounding of a distance, far below what would add candidates. */
-constexpr double aboveRounding = 1.0 + 1e-9;
 /** The value of lanes without a site. */
 constexpr double unreachable = 1e100;
 /** More coordinates than this, and packing them costs more than it saves. */

@@ -15,8 +15,6 @@ namespace remesh
 {
 namespace
 {
-/** Far above the rounding of a distance, far below what would matter. */
-constexpr double aboveRounding = 1.0 + 1e-9;
 
 /** Sites whose ids would come in another order count as gone and added: ties go by the order. */
 void keepOrder(SiteChanges& changes)

@@ -6,12 +6,6 @@
 
 namespace remesh
 {
-namespace
-{
-/** Covers the rounding of three distances in up to 10^6 dimensions. */
-constexpr double aboveRounding = 1.0 + 1e-9;
-}
-
 /** The box around some sites, and its longest side. */
 int NearbySites::measure(const Index* begin, const Index* end)
 {

@@ -32,8 +32,6 @@ constexpr Offset mostLeapers = 32;
 constexpr Offset sitesForLeaper = 256;
 /** Beside one that came from farther away, in mean reaches of lists, walks would go too far. */
 constexpr double farthestLeap = 4.0;
-/** Covers the rounding of the distances that the displacements are compared with. */
-constexpr double aboveRounding = 1.0 + 1e-12;
 
 float roundedDown(double value)
 {

@@ -10,8 +10,6 @@ namespace remesh
 {
 namespace
 {
-/** Covers the rounding of the moves. */
-constexpr double aboveRounding = 1.0 + 1e-12;
 /** The part of its list's reach that a site starts with as radius; at a third it ends. */
 constexpr double partOfReach = 0.26;
 
