@@ -14,10 +14,9 @@ double CreaseGraph::length(Index edge) const
 
 double CreaseGraph::turn(Index point) const
 {
-  const Index* edges = this->around.data() + this->begin[point];
-  const Point3& at = this->mesh.points[point];
-  const Point3 in = at - this->mesh.points[this->other(edges[0], point)];
-  const Point3 out = this->mesh.points[this->other(edges[1], point)] - at;
+  const Point3& here = this->mesh.points[point];
+  const Point3 in = here - this->mesh.points[this->other(this->at(point, 0), point)];
+  const Point3 out = this->mesh.points[this->other(this->at(point, 1), point)] - here;
   return std::atan2(in.cross(out).norm(), in.dot(out));
 }
 
@@ -45,25 +44,35 @@ void CreaseGraph::listAround(const std::vector<FeatureKind>& kinds)
   }
 }
 
-CreaseGraph makeCreaseGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
-  const FeatureOptions& options, const std::vector<FeatureKind>& kinds)
+CreaseGraph makeCreaseGraph(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const std::vector<FeatureKind>& kinds)
 {
   CreaseGraph graph{ mesh, {}, {}, {}, {} };
-  graph.ends.resize(kinds.size());
+  graph.ends.resize(kinds.size(), { noIndex, noIndex });
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      graph.ends[edges.facetEdges[f][k]] = { mesh.facetPoints[f][k],
-        mesh.facetPoints[f][(k + 1) % 3] };
+      std::array<Index, 2>& ends = graph.ends[edges.facetEdges[f][k]];
+      if (ends[0] == noIndex)
+      {
+        ends = { mesh.facetPoints[f][k], mesh.facetPoints[f][(k + 1) % 3] };
+      }
     }
   }
+  graph.listAround(kinds);
+  return graph;
+}
+
+CreaseGraph makeCreaseGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, const std::vector<FeatureKind>& kinds)
+{
+  CreaseGraph graph = makeCreaseGraph(mesh, edges, kinds);
   graph.droppable.assign(kinds.size(), 0);
   for (std::size_t e = 0; e < kinds.size(); ++e)
   {
     graph.droppable[e] = mayBeDropped(edges, options, kinds, static_cast<Index>(e));
   }
-  graph.listAround(kinds);
   return graph;
 }
 }

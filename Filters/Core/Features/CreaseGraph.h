@@ -15,8 +15,8 @@ namespace remesh
 struct CreaseGraph
 {
   const SurfaceMesh& mesh;
-  std::vector<std::array<Index, 2>> ends; ///< E, points of each edge
-  std::vector<char> droppable;            ///< E
+  std::vector<std::array<Index, 2>> ends; ///< E, points of each edge, as its first facet has them
+  std::vector<char> droppable;            ///< E, see mayBeDropped; empty without options
   std::vector<Offset> begin;              ///< V + 1, into `around`
   std::vector<Index> around;              ///< feature edges at each point, ascending
 
@@ -24,6 +24,8 @@ struct CreaseGraph
   {
     return static_cast<Index>(this->begin[point + 1] - this->begin[point]);
   }
+  /** Feature k at a point. */
+  Index at(Index point, Index k) const { return this->around[this->begin[point] + k]; }
   Index other(Index edge, Index point) const
   {
     return this->ends[edge][this->ends[edge][0] == point ? 1 : 0];
@@ -38,6 +40,10 @@ struct CreaseGraph
 };
 
 /** O(F). The mesh must outlive it. */
+CreaseGraph makeCreaseGraph(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const std::vector<FeatureKind>& kinds);
+
+/** The same, and what may be dropped. */
 CreaseGraph makeCreaseGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const std::vector<FeatureKind>& kinds);
 }

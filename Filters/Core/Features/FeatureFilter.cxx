@@ -153,7 +153,7 @@ Index dropSpurs(const CreaseGraph& graph, double longest, std::vector<FeatureKin
     chain.clear();
     double length = 0.0;
     Index at = p;
-    Index edge = graph.around[graph.begin[p]];
+    Index edge = graph.at(p, 0);
     while (true)
     {
       chain.push_back(edge);
@@ -163,8 +163,7 @@ Index dropSpurs(const CreaseGraph& graph, double longest, std::vector<FeatureKin
       {
         break;
       }
-      const Offset begin = graph.begin[at];
-      edge = graph.around[begin] == edge ? graph.around[begin + 1] : graph.around[begin];
+      edge = graph.at(at, graph.at(at, 0) == edge ? 1 : 0);
     }
     const bool droppable =
       std::all_of(chain.begin(), chain.end(), [&](Index e) { return graph.droppable[e] != 0; });

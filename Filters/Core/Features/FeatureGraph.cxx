@@ -1,5 +1,6 @@
 #include "Features/FeatureGraph.h"
 
+#include "Features/CreaseGraph.h"
 #include "Support/DisjointSets.h"
 
 #include <Eigen/Geometry>
@@ -12,83 +13,26 @@ namespace
 {
 constexpr double leastCosineOfTurn = 0.5; // sharper turns are corners
 
-/** The feature edges at each point. */
-struct PointEdges
+bool isCorner(const Features& features, const CreaseGraph& graph, Index point)
 {
-  std::vector<std::array<Index, 2>> ends; ///< E
-  std::vector<Offset> begin;              ///< V + 1
-  std::vector<Index> edges;               ///< ascending at each point
-
-  Index degree(Index point) const
+  if (graph.degree(point) != 2)
   {
-    return static_cast<Index>(this->begin[point + 1] - this->begin[point]);
+    return graph.degree(point) > 0;
   }
-  Index at(Index point, Index k) const { return this->edges[this->begin[point] + k]; }
-  Index other(Index edge, Index point) const
-  {
-    return this->ends[edge][this->ends[edge][0] == point ? 1 : 0];
-  }
-};
-
-PointEdges collectPointEdges(const SurfaceMesh& mesh, const Features& features)
-{
-  PointEdges table;
-  table.ends.resize(features.kinds.size(), { noIndex, noIndex });
-  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      std::array<Index, 2>& ends = table.ends[features.edges.facetEdges[f][k]];
-      if (ends[0] == noIndex)
-      {
-        ends = { mesh.facetPoints[f][k], mesh.facetPoints[f][(k + 1) % 3] };
-      }
-    }
-  }
-  table.begin.assign(mesh.points.size() + 1, 0);
-  const auto forEachEnd = [&](const auto& visit)
-  {
-    for (std::size_t e = 0; e < features.kinds.size(); ++e)
-    {
-      if (features.kinds[e] != FeatureKind::None)
-      {
-        visit(table.ends[e][0], static_cast<Index>(e));
-        visit(table.ends[e][1], static_cast<Index>(e));
-      }
-    }
-  };
-  forEachEnd([&](Index point, Index) { ++table.begin[point + 1]; });
-  for (std::size_t p = 1; p < table.begin.size(); ++p)
-  {
-    table.begin[p] += table.begin[p - 1];
-  }
-  table.edges.resize(static_cast<std::size_t>(table.begin.back()));
-  std::vector<Offset> next(table.begin.begin(), table.begin.end() - 1);
-  forEachEnd([&](Index point, Index edge) { table.edges[next[point]++] = edge; });
-  return table;
-}
-
-bool isCorner(
-  const SurfaceMesh& mesh, const Features& features, const PointEdges& table, Index point)
-{
-  if (table.degree(point) != 2)
-  {
-    return table.degree(point) > 0;
-  }
-  const Index a = table.at(point, 0);
-  const Index b = table.at(point, 1);
+  const Index a = graph.at(point, 0);
+  const Index b = graph.at(point, 1);
   if (features.kinds[a] != features.kinds[b])
   {
     return true;
   }
-  const Point3& at = mesh.points[point];
-  const Point3 in = (at - mesh.points[table.other(a, point)]).stableNormalized();
-  const Point3 out = (mesh.points[table.other(b, point)] - at).stableNormalized();
+  const std::vector<Point3>& points = graph.mesh.points;
+  const Point3 in = (points[point] - points[graph.other(a, point)]).stableNormalized();
+  const Point3 out = (points[graph.other(b, point)] - points[point]).stableNormalized();
   return in.dot(out) < leastCosineOfTurn;
 }
 
 /** Follows a curve from a point along an edge, to the next corner or round to where it began. */
-FeatureCurve follow(const Features& features, const PointEdges& table,
+FeatureCurve follow(const Features& features, const CreaseGraph& graph,
   const std::vector<char>& corners, Index start, Index edge, std::vector<char>& used)
 {
   FeatureCurve curve;
@@ -99,13 +43,13 @@ FeatureCurve follow(const Features& features, const PointEdges& table,
   {
     used[edge] = 1;
     curve.edges.push_back(edge);
-    at = table.other(edge, at);
+    at = graph.other(edge, at);
     curve.points.push_back(at);
     if (corners[at] || at == start)
     {
       break;
     }
-    edge = table.at(at, 0) == edge ? table.at(at, 1) : table.at(at, 0);
+    edge = graph.at(at, 0) == edge ? graph.at(at, 1) : graph.at(at, 0);
   }
   return curve;
 }
@@ -113,7 +57,7 @@ FeatureCurve follow(const Features& features, const PointEdges& table,
 
 void traceCurves(const SurfaceMesh& mesh, Features& features)
 {
-  const PointEdges table = collectPointEdges(mesh, features);
+  const CreaseGraph graph = makeCreaseGraph(mesh, features.edges, features.kinds);
   std::vector<char> corners(mesh.points.size(), 0);
   for (const Index point : features.corners)
   {
@@ -122,7 +66,7 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
   features.corners.clear();
   for (Index p = 0; p < mesh.numberOfPoints(); ++p)
   {
-    corners[p] = corners[p] || isCorner(mesh, features, table, p);
+    corners[p] = corners[p] || isCorner(features, graph, p);
     if (corners[p])
     {
       features.corners.push_back(p);
@@ -131,12 +75,12 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
   std::vector<char> used(features.kinds.size(), 0);
   for (const Index point : features.corners)
   {
-    for (Index k = 0; k < table.degree(point); ++k)
+    for (Index k = 0; k < graph.degree(point); ++k)
     {
-      if (!used[table.at(point, k)])
+      if (!used[graph.at(point, k)])
       {
         features.curves.push_back(
-          follow(features, table, corners, point, table.at(point, k), used));
+          follow(features, graph, corners, point, graph.at(point, k), used));
       }
     }
   }
@@ -145,7 +89,7 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
     if (features.kinds[e] != FeatureKind::None && !used[e])
     {
       features.curves.push_back(
-        follow(features, table, corners, table.ends[e][0], static_cast<Index>(e), used));
+        follow(features, graph, corners, graph.ends[e][0], static_cast<Index>(e), used));
       features.curves.back().hasCorners = false;
     }
   }
