@@ -59,9 +59,8 @@ struct Smoothed
   Smoothed(const SurfaceMesh& mesh, double over, const RunControl& control)
     : radius(over)
     , normals(estimateCornerNormals(mesh, 0, control))
-    , places(smoothPlacesOver(mesh, over, control))
+    , places(smoothNormalsAndPlacesOver(mesh, over, control, this->normals))
   {
-    smoothNormalsOver(mesh, over, control, this->normals);
   }
 
   double moved(const SurfaceMesh& mesh, Index corner) const

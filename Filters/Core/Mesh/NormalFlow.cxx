@@ -206,16 +206,19 @@ bool buildMatrix(const SurfaceMesh& mesh, double radius, double time, const RunC
   return mergeEntries(begins, entries, control, matrix);
 }
 
+/** False where nothing flows: without corners, over a radius that says nothing; when cancelled. */
+bool prepareFlow(
+  const SurfaceMesh& mesh, double radius, const RunControl& control, FlowMatrix& matrix)
+{
+  return radius > 0.0 && std::isfinite(radius) && !mesh.cornerPoints.empty() &&
+    buildMatrix(mesh, radius, 0.25 / numberOfSteps, control.silent(), matrix);
+}
+
 /** Lets a field flow; `accept(smoothed, field)` takes over each step. Ends early when cancelled. */
 template <class Accept>
-void flow(const SurfaceMesh& mesh, double radius, const RunControl& control, VectorField& field,
-  const Accept& accept)
+void flow(
+  const FlowMatrix& matrix, const RunControl& control, VectorField& field, const Accept& accept)
 {
-  FlowMatrix matrix;
-  if (!buildMatrix(mesh, radius, 0.25 / numberOfSteps, control.silent(), matrix))
-  {
-    return;
-  }
   ConjugateGradientsLimits limits;
   limits.reduction = wantedReduction;
   const Blocks blocks = Blocks::cut(static_cast<Offset>(field.size()), 64, 1 << 15);
@@ -240,16 +243,10 @@ void flow(const SurfaceMesh& mesh, double radius, const RunControl& control, Vec
     control.report((step + 1.0) / numberOfSteps);
   }
 }
-}
 
-void smoothNormalsOver(
-  const SurfaceMesh& mesh, double radius, const RunControl& control, std::vector<Point3>& normals)
+void flowNormals(const FlowMatrix& matrix, const RunControl& control, std::vector<Point3>& normals)
 {
-  if (!(radius > 0.0) || !std::isfinite(radius) || normals.empty())
-  {
-    return;
-  }
-  flow(mesh, radius, control, normals,
+  flow(matrix, control, normals,
     [](const VectorField& smoothed, VectorField& field)
     {
       for (std::size_t i = 0; i < field.size(); ++i)
@@ -263,8 +260,13 @@ void smoothNormalsOver(
     });
 }
 
-std::vector<Point3> smoothPlacesOver(
-  const SurfaceMesh& mesh, double radius, const RunControl& control)
+void flowPlaces(const FlowMatrix& matrix, const RunControl& control, std::vector<Point3>& places)
+{
+  flow(matrix, control, places,
+    [](VectorField& smoothed, VectorField& field) { field.swap(smoothed); });
+}
+
+std::vector<Point3> placesOfCorners(const SurfaceMesh& mesh)
 {
   std::vector<Point3> places;
   places.reserve(mesh.cornerPoints.size());
@@ -272,10 +274,29 @@ std::vector<Point3> smoothPlacesOver(
   {
     places.push_back(mesh.points[point]);
   }
-  if (radius > 0.0 && std::isfinite(radius) && !places.empty())
+  return places;
+}
+}
+
+void smoothNormalsOver(
+  const SurfaceMesh& mesh, double radius, const RunControl& control, std::vector<Point3>& normals)
+{
+  FlowMatrix matrix;
+  if (prepareFlow(mesh, radius, control, matrix))
   {
-    flow(mesh, radius, control, places,
-      [](VectorField& smoothed, VectorField& field) { field.swap(smoothed); });
+    flowNormals(matrix, control, normals);
+  }
+}
+
+std::vector<Point3> smoothNormalsAndPlacesOver(
+  const SurfaceMesh& mesh, double radius, const RunControl& control, std::vector<Point3>& normals)
+{
+  std::vector<Point3> places = placesOfCorners(mesh);
+  FlowMatrix matrix;
+  if (prepareFlow(mesh, radius, control, matrix))
+  {
+    flowNormals(matrix, control.step(0, 2), normals);
+    flowPlaces(matrix, control.step(1, 2), places);
   }
   return places;
 }

@@ -28,12 +28,12 @@ void smoothNormalsOver(
   const SurfaceMesh& mesh, double radius, const RunControl& control, std::vector<Point3>& normals);
 
 /**
- * Where the corners (C) come to if their places flow like that: bends smaller than `radius` are
- * smoothed away, and ends and thin parts shrink. The sides of a cut come apart. Of no use when
- * cancelled. Cost as above.
+ * The same, and where the corners (C) come to if their places flow like that: bends smaller than
+ * `radius` are smoothed away, and ends and thin parts shrink. The sides of a cut come apart. Of no
+ * use when cancelled. Cost as above.
  */
-std::vector<Point3> smoothPlacesOver(
-  const SurfaceMesh& mesh, double radius, const RunControl& control);
+std::vector<Point3> smoothNormalsAndPlacesOver(
+  const SurfaceMesh& mesh, double radius, const RunControl& control, std::vector<Point3>& normals);
 
 /** The mean spacing of so many points on a surface, sqrt(area / sites). 0 without points. */
 double meanSpacing(const SurfaceMesh& mesh, Offset sites);
