@@ -91,6 +91,30 @@ void testSurface()
   }
 }
 
+/** What is known of edges is what the corners say where they are now, rounded as they are. */
+void testEdges()
+{
+  TriangleSoup soup = test::cube();
+  for (Point3& point : soup.points)
+  {
+    point = Point3(point[0] - 0.3 * point[1], 0.7 * point[1] + 0.1 * point[2], point[2] / 3.0);
+  }
+  SurfaceMesh mesh = test::meshOf(soup);
+  const Features features = findFeatures(mesh, FeatureOptions());
+  EmbeddedSurface surface = test::embedded(mesh, 6);
+  separatePatches(features.facetPatches, features.numberOfPatches, surface);
+  for (Index f = 0; f < surface.numberOfFacets(); ++f)
+  {
+    const Triple& corners = surface.facetCorners[f];
+    for (int k = 0; k < 3; ++k)
+    {
+      CHECK_EQUAL(surface.constants[f].edge2[k],
+        squaredDistance<6>(
+          surface.corner(corners[k]), surface.corner(corners[(k + 1) % 3]), surface.dimension));
+    }
+  }
+}
+
 /** Rounding sites keeps them in their patch, where they were, and does so once and for all. */
 void testRounding(double away)
 {
@@ -121,6 +145,7 @@ int TestPatchLattice(int, char*[])
 {
   testDistances();
   testSurface();
+  testEdges();
   for (const double away : { 0.0, 10.0, 1e3, 1e6 })
   {
     testRounding(away);

@@ -13,16 +13,22 @@ namespace remesh
 {
 namespace
 {
+/** Of a facet with these corners. */
+void measureEdges(int d, const std::array<const double*, 3>& p, FacetConstants& constants)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    constants.edge2[k] = squaredDistance<Eigen::Dynamic>(p[k], p[(k + 1) % 3], d);
+  }
+}
+
 /** Squared edges and areas of one facet. */
 FacetConstants measureFacet(
   const SurfaceMesh& mesh, int d, Index facet, const std::array<const double*, 3>& p)
 {
   FacetConstants constants;
   constants.mass = triangleArea(p[0], p[1], p[2], d);
-  for (int k = 0; k < 3; ++k)
-  {
-    constants.edge2[k] = squaredDistance<Eigen::Dynamic>(p[k], p[(k + 1) % 3], d);
-  }
+  measureEdges(d, p, constants);
   const Triple& points = mesh.facetPoints[facet];
   const Point3 u = mesh.points[points[1]] - mesh.points[points[0]];
   const Point3 v = mesh.points[points[2]] - mesh.points[points[0]];
@@ -219,6 +225,12 @@ void separatePatches(
       surface.corners[c * d + static_cast<std::size_t>(k)] +=
         surface.patches.offset(cornerPatches[c], k);
     }
+  }
+  // The corners were rounded: edges must agree with the distances that are measured from here on.
+  CornerReader<Eigen::Dynamic> reader(surface);
+  for (Index f = 0; f < surface.numberOfFacets(); ++f)
+  {
+    measureEdges(surface.dimension, reader.facet(f), surface.constants[f]);
   }
 }
 
