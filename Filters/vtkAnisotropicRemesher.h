@@ -124,7 +124,8 @@ public:
   /**
    * A cell array whose values label regions of the surface: edges between different values are
    * features, too. Input array to process 2. nullptr or "": none (default). Numbers of any number
-   * of components, or strings; one that the input lacks is an error when the filter runs.
+   * of components, or strings; one that the input lacks is an error when the filter runs, also
+   * where features are not preserved.
    */
   void SetFeatureLabelArray(const char* name);
 

@@ -2,10 +2,10 @@
 
 #include "vtkEmbeddedSurfaceInternals.h"
 
+#include "Adaptors/ChosenArrays.h"
 #include "Adaptors/OutputPorts.h"
 #include "Adaptors/SurfaceIntake.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -17,64 +17,6 @@
 #include <cmath>
 #include <exception>
 #include <new>
-
-namespace
-{
-/** The name of an array chosen by SetInputArrayToProcess, or nullptr. */
-const char* chosenName(vtkInformation* choice)
-{
-  return choice && choice->Has(vtkDataObject::FIELD_NAME())
-    ? choice->Get(vtkDataObject::FIELD_NAME())
-    : nullptr;
-}
-
-/** A cell array with labels of regions; "" and "None" mean none. */
-remesh::Status findLabels(vtkInformation* choice, vtkPolyData* input, vtkAbstractArray*& array)
-{
-  array = nullptr;
-  const char* name = chosenName(choice);
-  if (!name || !*name)
-  {
-    return remesh::Status::success();
-  }
-  if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_CELLS)
-  {
-    return remesh::Status::invalid(
-      std::string("The array \"") + name + "\", chosen as the labels, must be a cell array.");
-  }
-  array = input->GetCellData()->GetAbstractArray(name);
-  if (array || std::string(name) == "None")
-  {
-    return remesh::Status::success();
-  }
-  return remesh::Status::invalid(
-    std::string("The input has no cell array \"") + name + "\", chosen as the labels.");
-}
-
-/** A point array chosen by SetInputArrayToProcess; "" and "None" mean none. */
-remesh::Status findChosenArray(
-  vtkInformation* choice, vtkPolyData* input, const char* role, vtkDataArray*& array)
-{
-  array = nullptr;
-  const char* name = chosenName(choice);
-  if (!name || !*name)
-  {
-    return remesh::Status::success();
-  }
-  if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    return remesh::Status::invalid(std::string("The array \"") + name + "\", chosen as the " +
-      role + ", must be a point array.");
-  }
-  array = input->GetPointData()->GetArray(name);
-  if (array || std::string(name) == "None")
-  {
-    return remesh::Status::success();
-  }
-  return remesh::Status::invalid(std::string("The input has no numeric point array \"") + name +
-    "\", chosen as the " + role + ".");
-}
-}
 
 vtkEmbeddedSurfaceAlgorithm::vtkEmbeddedSurfaceAlgorithm()
   : Internals(new vtkInternals)
@@ -178,41 +120,41 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   request.smoothingRadius = self->NormalSmoothingRadius;
   request.mergeTolerance = self->MergeTolerance;
 
-  // The active normals unless an array was chosen by name.
-  vtkInformation* choice = self->GetInputArrayInformation(0);
-  request.normalsRequired = choice->Has(vtkDataObject::FIELD_NAME());
+  const FeatureRequest& features = self->Internals->Features;
+  request.preserveFeatures = features.Preserve;
+  request.featureAngle = features.Angle;
+
+  vtkInformation* normals = self->GetInputArrayInformation(0);
+  // The default: what is active is taken if it is there.
+  request.normalsRequired = !remesh::isPointAttribute(normals, vtkDataSetAttributes::NORMALS);
   if (!request.normalsRequired)
   {
     request.normals = input->GetPointData()->GetNormals();
   }
-  else if (remesh::Status status = findChosenArray(choice, input, "normals", request.normals);
+  else if (remesh::Status status =
+             remesh::findPointArray(normals, input, "normals", request.normals);
            !status.ok())
   {
     return status;
   }
   vtkInformation* embedding = self->GetInputArrayInformation(1);
-  if (remesh::Status status = findChosenArray(embedding, input, "embedding", request.embedding);
-      !status.ok())
-  {
-    return status;
-  }
   if (remesh::Status status =
-        findChosenArray(self->GetInputArrayInformation(3), input, "density", request.density);
+        remesh::findPointArray(embedding, input, "embedding", request.embedding);
       !status.ok())
   {
     return status;
   }
-  const FeatureRequest& features = self->Internals->Features;
-  request.preserveFeatures = features.Preserve;
-  request.featureAngle = features.Angle;
-  if (features.Preserve)
+  vtkInformation* labels = self->GetInputArrayInformation(2);
+  if (remesh::Status status = remesh::findCellArray(labels, input, "labels", request.labels);
+      !status.ok())
   {
-    if (remesh::Status status =
-          findLabels(self->GetInputArrayInformation(2), input, request.labels);
-        !status.ok())
-    {
-      return status;
-    }
+    return status;
+  }
+  vtkInformation* density = self->GetInputArrayInformation(3);
+  if (remesh::Status status = remesh::findPointArray(density, input, "density", request.density);
+      !status.ok())
+  {
+    return status;
   }
   for (const auto& [name, scale] : self->Internals->CoordinateArrays)
   {

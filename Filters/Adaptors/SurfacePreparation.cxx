@@ -128,7 +128,8 @@ Status arraysOf(
   }
   if (request.embedding->GetNumberOfComponents() < 2)
   {
-    return Status::invalid(std::string("The embedding array \"") + request.embedding->GetName() +
+    const char* name = request.embedding->GetName(); // an active array may have none
+    return Status::invalid(std::string("The embedding array \"") + (name ? name : "") +
       "\" has 1 component; an embedding has at least 2.");
   }
   arrays.assign(1, { request.embedding, 1.0 });

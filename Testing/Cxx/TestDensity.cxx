@@ -105,6 +105,13 @@ void testArrays()
   }
   CHECK_NEAR(sumOf(filter->GetOutput()->GetPointData(), "CellWeightedMass"),
     sumOf(filter->GetSitesOutput()->GetPointData(), "CellWeightedMass"), 1e-12);
+  // Chosen as the points' active scalars, the same array does the same.
+  const auto byAttribute = filterOf(square(), nullptr);
+  vtkPolyData::SafeDownCast(byAttribute->GetInput())->GetPointData()->SetActiveScalars("Density");
+  byAttribute->SetInputArrayToProcess(
+    3, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  byAttribute->Update();
+  checkSame(contentOf(byAttribute->GetOutput()), contentOf(filter->GetOutput()), "by attribute");
   // The same sites without density.
   const auto plain = filterOf<vtkRestrictedVoronoiDiagram>(square(), nullptr);
   plain->SetSitesData(filter->GetSitesOutput());

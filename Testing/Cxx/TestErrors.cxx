@@ -194,6 +194,67 @@ void testArrays()
     "single point", chooseEmbedding, noEmbedding);
 }
 
+/** Chosen by a type of attribute that the points have not, or that cannot be used. */
+void testAttributes()
+{
+  using Filter = vtkEmbeddedSurfaceAlgorithm;
+  const auto choose = [](int index, int association, int attribute)
+  {
+    return [=](Filter* filter)
+    { filter->SetInputArrayToProcess(index, 0, 0, association, attribute); };
+  };
+  const auto none = [](int index)
+  {
+    return [=](Filter* filter)
+    { filter->SetInputArrayToProcess(index, 0, 0, vtkDataObject::POINT, ""); };
+  };
+  const char* const roles[] = { "normals", "embedding", "labels", "density" };
+  for (const int index : { 0, 1, 3 })
+  {
+    checkBoth(std::string("no scalars as ") + roles[index], goodInput(),
+      std::string("points have no numeric active array of Scalars, chosen as the ") + roles[index],
+      choose(index, vtkDataObject::POINT, vtkDataSetAttributes::SCALARS), none(index));
+    checkBoth(std::string("cells' scalars as ") + roles[index], goodInput(),
+      std::string(roles[index]) + ", must be a point array",
+      choose(index, vtkDataObject::CELL, vtkDataSetAttributes::SCALARS), none(index));
+  }
+  checkBoth("no scalars as labels", goodInput(),
+    "cells have no active array of Scalars, chosen as the labels",
+    choose(2, vtkDataObject::CELL, vtkDataSetAttributes::SCALARS), none(2));
+  const Input scalars = withArray("S", 1, 1.0, 2.0);
+  scalars->GetPointData()->SetActiveScalars("S");
+  scalars->GetPointData()->GetScalars()->SetName(nullptr);
+  checkBoth("an embedding of nameless scalars", scalars, "at least 2",
+    choose(1, vtkDataObject::POINT, vtkDataSetAttributes::SCALARS), none(1));
+}
+
+/** Labels that are missing, whether they would count or not. */
+void testLabels()
+{
+  const auto chooseLabels = [](vtkAnisotropicRemesher* filter)
+  { filter->SetFeatureLabelArray("L"); };
+  const auto noLabels = [](vtkAnisotropicRemesher* filter)
+  { filter->SetFeatureLabelArray(nullptr); };
+  const char* const words = "no cell array \"L\", chosen as the labels";
+  checkCase<vtkAnisotropicRemesher>("missing labels", goodInput(), words, chooseLabels, noLabels);
+  checkCase<vtkAnisotropicRemesher>(
+    "missing labels without features", goodInput(), words,
+    [=](vtkAnisotropicRemesher* filter)
+    {
+      filter->PreserveFeaturesOff();
+      chooseLabels(filter);
+    },
+    noLabels);
+  checkCase<vtkAnisotropicRemesher>(
+    "missing labels with sites", goodInput(), words,
+    [=](vtkAnisotropicRemesher* filter)
+    {
+      filter->SetInitialSitesData(goodInput());
+      chooseLabels(filter);
+    },
+    noLabels);
+}
+
 void testNumbersOfPoints()
 {
   const auto good = [](vtkAnisotropicRemesher* filter) { filter->SetNumberOfPoints(50); };
@@ -346,6 +407,8 @@ int TestErrors(int, char*[])
 {
   testSurfaces();
   testArrays();
+  testAttributes();
+  testLabels();
   testNumbersOfPoints();
   testSites();
   testNoConnection();

@@ -86,6 +86,17 @@ void testRegions()
   filter->Update();
   const auto patches = arrayOf(filter->GetSitesOutput()->GetPointData(), "PatchId");
   CHECK_EQUAL(patches->GetRange()[1], 1.0);
+
+  // Likewise as the active array of a type.
+  input->GetCellData()->SetActiveScalars("Region");
+  vtkNew<vtkAnisotropicRemesher> byAttribute;
+  byAttribute->SetInputData(input);
+  byAttribute->SetNumberOfPoints(100);
+  byAttribute->SetInputArrayToProcess(
+    2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
+  byAttribute->Update();
+  const auto others = arrayOf(byAttribute->GetSitesOutput()->GetPointData(), "PatchId");
+  CHECK_EQUAL(others->GetRange()[1], 1.0);
 }
 
 /** What is no number equals itself, and nothing else. */

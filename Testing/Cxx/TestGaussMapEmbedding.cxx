@@ -83,6 +83,30 @@ void testFormula()
   }
 }
 
+/** Arrays chosen as the active ones of a type: what their names give. */
+void testAttributes()
+{
+  const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const auto input = sphereWithNormals("N");
+  addPointArray<vtkDoubleArray>(
+    input, "V", 3, [](const Point3& p, int c) { return p[c] + (c == 1 ? 0.5 : 0.0); });
+  vtkNew<vtkGaussMapEmbedding> named;
+  named->SetInputArrayToProcess(0, 0, 0, points, "V");
+  const std::string normals = bytesOf(embeddingOf(embed(named, input)));
+  named->SetEmbeddingArray("V");
+  const std::string embedding = bytesOf(embeddingOf(embed(named, input)));
+
+  input->GetPointData()->SetActiveNormals("N");
+  input->GetPointData()->SetActiveVectors("V");
+  vtkNew<vtkGaussMapEmbedding> filter;
+  CHECK(bytesOf(embeddingOf(embed(filter, input))) != normals);
+  filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::VECTORS);
+  CHECK_EQUAL(bytesOf(embeddingOf(embed(filter, input))), normals);
+  filter->SetInputArrayToProcess(1, 0, 0, points, vtkDataSetAttributes::VECTORS);
+  CHECK_EQUAL(bytesOf(embeddingOf(embed(filter, input))), embedding);
+  CHECK_EQUAL(embedding, bytesOf(input->GetPointData()->GetArray("V")));
+}
+
 void testModes()
 {
   const auto input = sphereWithNormals("N");
@@ -218,6 +242,7 @@ void testRoundTrip(vtkPolyData* input, double anisotropy, const char* where)
 int TestGaussMapEmbedding(int, char*[])
 {
   testFormula();
+  testAttributes();
   testModes();
   testCoordinateArrays();
   testReplacement();
