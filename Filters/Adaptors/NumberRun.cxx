@@ -31,12 +31,12 @@ struct NumberRun
   int evaluations = outcome.result.evaluations;           ///< likewise
 
   /** The caller's sites, or a check that as many as are asked for can be held. */
-  Status takeSites()
+  Status takeSites(const RunControl& control)
   {
     const PreparedSurface& prepared = this->outcome.prepared;
     if (this->request.sites)
     {
-      const Status status = readSites(this->request.sites, prepared, this->outcome.given);
+      const Status status = readSites(this->request.sites, prepared, control, this->outcome.given);
       this->options.initialSites = std::move(this->outcome.given.sites);
       return status;
     }
@@ -78,11 +78,12 @@ struct NumberRun
     const auto start = std::chrono::steady_clock::now();
     this->request.preparation.smoothing = smoothing;
     PreparedSurface& prepared = this->outcome.prepared;
-    Status status = prepareSurface(this->request.input, this->request.preparation,
-      control.part(0.0, shareOfPreparation), prepared);
+    const double prepares = this->request.sites ? 0.5 * shareOfPreparation : shareOfPreparation;
+    Status status = prepareSurface(
+      this->request.input, this->request.preparation, control.part(0.0, prepares), prepared);
     if (status.ok())
     {
-      status = this->takeSites();
+      status = this->takeSites(control.part(prepares, shareOfPreparation));
     }
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     this->outcome.intakeSeconds += elapsed.count();

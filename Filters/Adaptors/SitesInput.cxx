@@ -1,13 +1,12 @@
 #include "Adaptors/SitesInput.h"
 
-#include "Adaptors/ArrayHelpers.h"
 #include "Embedding/CornerReader.h"
-#include "Mesh/ClosestPoint.h"
+#include "Mesh/TriangleTree.h"
+#include "Support/Parallel.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkStaticCellLocator.h"
 
 #include <cmath>
 #include <string>
@@ -16,21 +15,6 @@ namespace remesh
 {
 namespace
 {
-/** The surface after intake, for a locator. */
-vtkSmartPointer<vtkPolyData> makePolyData(const SurfaceMesh& mesh)
-{
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(
-    makePoints(mesh.numberOfPoints(), [&](Offset k) -> const Point3& { return mesh.points[k]; }));
-  vtkNew<vtkCellArray> cells;
-  for (const Triple& facet : mesh.facetPoints)
-  {
-    cells->InsertNextCell({ facet[0], facet[1], facet[2] });
-  }
-  data->SetPolys(cells);
-  return data;
-}
-
 /** In scaled units, of which the surface is 1 in size: squares stay far from overflow. */
 constexpr double farthestSite = 1e30;
 
@@ -49,40 +33,47 @@ void takeEmbedding(vtkDataArray* embedding, const EmbeddedSurface& surface, Site
   }
 }
 
-/** At the closest point of the surface. */
-void projectOnSurface(
-  const std::vector<Point3>& places, const PreparedSurface& prepared, Sites& sites)
+/** Each at the closest point of the surface. */
+Status projectOnSurface(const std::vector<Point3>& places, const PreparedSurface& prepared,
+  const RunControl& control, Sites& sites)
 {
-  const SurfaceMesh& mesh = prepared.mesh;
-  const EmbeddedSurface& surface = prepared.surface;
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(makePolyData(mesh));
-  locator->BuildLocator();
-  CornerReader<Eigen::Dynamic> reader(surface);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    double closest[3], squared = 0.0;
-    vtkIdType facet = 0;
-    int subId = 0;
-    locator->FindClosestPoint(places[i].data(), closest, facet, subId, squared);
-    const Triple& points = mesh.facetPoints[facet];
-    const ClosestPoint at = closestOnTriangle(
-      places[i], mesh.points[points[0]], mesh.points[points[1]], mesh.points[points[2]]);
-    const auto corners = reader.facet(static_cast<Index>(facet));
-    double* x = sites.site(static_cast<Index>(i));
-    for (int c = 0; c < surface.dimension; ++c)
+    if (places[i].cwiseAbs().maxCoeff() > largestCoordinate)
     {
-      x[c] = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        x[c] += at.b[k] * corners[k][c];
-      }
+      return Status::invalid("Site " + std::to_string(i) + " is too far away.");
     }
   }
+  const EmbeddedSurface& surface = prepared.surface;
+  const TriangleTree tree({ prepared.mesh.points, prepared.mesh.facetPoints }, control);
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(places.size()), 256, 1024);
+  const bool done = forEachRange(blocks, control,
+    [&](Offset begin, Offset end)
+    {
+      CornerReader<Eigen::Dynamic> reader(surface);
+      TriangleTree::Place place;
+      for (Offset i = begin; i < end; ++i)
+      {
+        place = tree.closest(places[i], place.slot);
+        const auto corners = reader.facet(tree.triangleOf(place.slot));
+        double* x = sites.site(static_cast<Index>(i));
+        for (int c = 0; c < surface.dimension; ++c)
+        {
+          x[c] = place.at.b[0] * corners[0][c] + place.at.b[1] * corners[1][c] +
+            place.at.b[2] * corners[2][c];
+        }
+      }
+    });
+  return done ? Status::success() : Status::cancelled();
 }
 }
 
-Status readSites(vtkPointSet* input, const PreparedSurface& prepared, GivenSites& given)
+Status readSites(
+  vtkPointSet* input, const PreparedSurface& prepared, const RunControl& control, GivenSites& given)
 {
   const Offset count = input->GetNumberOfPoints();
   const int d = prepared.surface.dimension;
@@ -112,8 +103,9 @@ Status readSites(vtkPointSet* input, const PreparedSurface& prepared, GivenSites
       given.warning = "The sites' array \"Embedding\" has not the " + std::to_string(d) +
         " components of the surface's embedding: the sites are put on the surface instead.";
     }
-    projectOnSurface(given.places, prepared, given.sites);
-    return Status::success();
+    RunControl progress = control;
+    progress.enterPhase("Sites", 0.0, 1.0);
+    return projectOnSurface(given.places, prepared, progress, given.sites);
   }
   takeEmbedding(embedding, prepared.surface, given.sites);
   for (std::size_t k = 0; k < given.sites.coordinates.size(); ++k)

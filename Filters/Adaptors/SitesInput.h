@@ -22,10 +22,12 @@ struct GivenSites
  * Reads the points of a data set as sites of a prepared surface: by their point array `Embedding`
  * if it has d components, else each at the closest point of the surface.
  *
- * @return InvalidInput for no points, too many, or a value that is not finite.
- * Cost: O(n d), or a search in a cell locator for each.
+ * @return InvalidInput for no points, too many, or a value that is not finite or too far away.
+ * Cost: O(n d), or O(n log facets) in parallel, with a tree over the facets, which takes as long
+ * as a few thousand searches.
  */
-Status readSites(vtkPointSet* input, const PreparedSurface& prepared, GivenSites& given);
+Status readSites(vtkPointSet* input, const PreparedSurface& prepared, const RunControl& control,
+  GivenSites& given);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Adaptors/ExecutionScope.h"
 #include "Support/Parallel.h"
 #include "vtkAnisotropicRemesher.h"
+#include "vtkRestrictedVoronoiDiagram.h"
 
 #include "vtkSMPTools.h"
 
@@ -123,6 +124,35 @@ void testSameBytes(vtkPolyData* input)
   }
 }
 
+/** Sites that are put on the surface, some equally far from many places of it. */
+void testSameSites(vtkPolyData* input)
+{
+  std::vector<Point3> places = { Point3::Zero(), ellipsoidCenter() };
+  for (const Point3& p : icosphere(4).points)
+  {
+    places.push_back(ellipsoidCenter() + 0.3 * p);
+    places.push_back(ellipsoidCenter() + Point3(0.0, 0.0, p[2]));
+  }
+  const auto sites = pointsOnly(places);
+  std::vector<Content> expected;
+  for (const Backend& backend : backends)
+  {
+    for (const int threads : { 1, 2 })
+    {
+      vtkNew<vtkRestrictedVoronoiDiagram> diagram;
+      diagram->SetInputData(input);
+      diagram->SetSitesData(sites);
+      diagram->SetSMPBackend(backend.choice);
+      diagram->SetNumberOfThreads(threads);
+      Messages messages(diagram);
+      diagram->Update();
+      const std::vector<Content> contents = contentsOf(diagram);
+      expected = expected.empty() ? contents : expected;
+      checkSame(contents, expected, std::string("sites with ") + backend.name);
+    }
+  }
+}
+
 /** The automatic choice: VTK's current one, but threads where that is sequential. */
 void testAutomatic(vtkPolyData* input)
 {
@@ -179,6 +209,7 @@ int TestBackends(int, char*[])
   const auto input = polyDataOf(ellipsoid(4));
   addPointArray<vtkDoubleArray>(input, "Height", 1, [](const Point3& p, int) { return p[2]; });
   testSameBytes(input);
+  testSameSites(input);
   testAutomatic(input);
   testRestored(input);
   testLimit();

@@ -289,6 +289,8 @@ void testSites()
     give(pointsOnly({ { 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 } })), none);
   checkCase<vtkAnisotropicRemesher>("NaN in initial sites", goodInput(), "Site 3",
     give(pointsOnly({ { 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, nan, 1 } })), none);
+  checkCase<vtkAnisotropicRemesher>("a place far away", goodInput(), "Site 2 is too far away",
+    give(pointsOnly({ { 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 1e60 }, { 0, 1, 1 } })), none);
   Input sites = goodInput();
   const auto embedding = addPointArray<vtkDoubleArray>(
     sites, "Embedding", 6, [](const Point3& p, int c) { return p[c % 3]; });

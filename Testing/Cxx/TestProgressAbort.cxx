@@ -96,6 +96,35 @@ void testAbort(vtkAlgorithm* filter, double moment)
   check(messages.executiveErrors().empty(), __FILE__, __LINE__, where + ": an executive's error");
 }
 
+/** Sites that are put on the surface: that is reported, and ends where it is aborted. */
+void testSites(vtkPolyData* input)
+{
+  vtkNew<vtkRestrictedVoronoiDiagram> diagram;
+  diagram->SetInputData(input);
+  diagram->SetSitesData(polyDataOf(ellipsoid(5)));
+  for (const int last : { VTK_INT_MAX, 3 })
+  {
+    int reports = 0;
+    std::string text;
+    ProgressWatch watch(diagram,
+      [&](double)
+      {
+        text = diagram->GetProgressText() ? diagram->GetProgressText() : "";
+        reports += text == "Sites" ? 1 : 0;
+        if (reports == last)
+        {
+          diagram->SetAbortExecute(1);
+        }
+      });
+    diagram->Modified();
+    diagram->Update();
+    diagram->SetAbortExecute(0);
+    CHECK(reports >= 3);
+    CHECK_EQUAL(outputsAreEmpty(diagram), last == 3);
+    CHECK_EQUAL(text == "Sites", last == 3);
+  }
+}
+
 /** Seconds from an abort, `delay` seconds after the start, to the end; negative if it came late. */
 double secondsToStop(vtkAlgorithm* filter, double delay)
 {
@@ -153,6 +182,7 @@ int TestProgressAbort(int, char*[])
   testProgress(remesher, 25);
   testProgress(diagram, 5);
   testProgress(embedding, 3);
+  testSites(input);
 
   const std::vector<Content> remeshed = contentsOf(remesher);
   for (const double moment :

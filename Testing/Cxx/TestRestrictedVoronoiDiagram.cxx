@@ -3,6 +3,8 @@
 #include "TestBytes.h"
 #include "TestMeasures.h"
 
+#include "Mesh/ClosestPoint.h"
+
 #include "vtkAnisotropicRemesher.h"
 #include "vtkRestrictedVoronoiDiagram.h"
 
@@ -184,6 +186,35 @@ void testEmbeddingOrProjection()
   CHECK(valueOf(inSpace, "CellArea", 2) > 0.0);
 }
 
+/** Sites are put where no triangle is closer, by trying all. */
+void testClosestPlaces()
+{
+  const TriangleSoup surface = ellipsoid(3);
+  std::vector<Point3> places;
+  for (const Point3& p : icosphere(3).points)
+  {
+    places.push_back(ellipsoidCenter() + 2.0 * std::abs(p[0] + 0.5 * p[1]) * p);
+  }
+  vtkNew<vtkRestrictedVoronoiDiagram> filter;
+  filter->SetAnisotropy(0.0);
+  filter->SetInputData(polyDataOf(surface));
+  filter->SetSitesData(pointsOnly(places));
+  filter->Update();
+  const auto embedding = arrayOf(filter->GetSitesOutput()->GetPointData(), "Embedding");
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    double squared = HUGE_VAL;
+    for (const auto& [a, b, c] : surface.triangles)
+    {
+      squared = std::min(squared,
+        closestOnTriangle(places[i], surface.points[a], surface.points[b], surface.points[c])
+          .squared);
+    }
+    const Point3 site = tupleOf(embedding, static_cast<vtkIdType>(i));
+    CHECK_NEAR((site - places[i]).norm(), std::sqrt(squared), 1e-14);
+  }
+}
+
 /** Equal sites: the lower id wins. One site: all is its cell. */
 void testFewSites()
 {
@@ -259,6 +290,7 @@ int TestRestrictedVoronoiDiagram(int, char*[])
   const Point3 axis = Point3(1.0, 2.0, 3.0).normalized();
   testTies(240, Eigen::AngleAxisd(0.7, axis).toRotationMatrix());
   testEmbeddingOrProjection();
+  testClosestPlaces();
   testFewSites();
   testKindsOfSites();
   testRoundTrip(icosphere(3), 0.04, "sphere at the origin");
