@@ -4,6 +4,7 @@
 #include "TestDuals.h"
 
 #include <algorithm>
+#include <chrono>
 
 using namespace remesh;
 
@@ -204,6 +205,29 @@ void testSymmetricSites()
     CHECK_EQUAL(shape.borderEdges, 0);
   }
 }
+
+/** A clump of sites far away from the surface against its own size: few have cells, and soon. */
+void testClump()
+{
+  using Clock = std::chrono::steady_clock;
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(3));
+  for (const int d : { 3, 6, 8 })
+  {
+    const EmbeddedSurface surface = test::embedded(mesh, d);
+    Sites sites;
+    sites.dimension = d;
+    for (Index k = 0; k < 5000 * d; ++k)
+    {
+      const double middle = k % d == 0 ? 1.5 : 0.0;
+      sites.coordinates.push_back(middle + 1e-3 * (2.0 * uniform01(5, k, 0) - 1.0));
+    }
+    const Clock::time_point start = Clock::now();
+    const test::Computed result = test::computed(surface, sites);
+    CHECK(Clock::now() - start < std::chrono::seconds(5));
+    test::checkDiagram(mesh, surface, sites, result);
+    CHECK(result.diagram.numberOfPieces() > surface.numberOfFacets());
+  }
+}
 }
 
 int TestDegenerateSites(int, char*[])
@@ -215,5 +239,6 @@ int TestDegenerateSites(int, char*[])
   testInexactGrids();
   testSitesOnAnAxis();
   testSymmetricSites();
+  testClump();
   return test::result();
 }

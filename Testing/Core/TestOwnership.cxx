@@ -5,6 +5,7 @@
 #include "Voronoi/Ownership.h"
 
 #include <algorithm>
+#include <chrono>
 
 using namespace remesh;
 
@@ -113,6 +114,37 @@ void testRandomSites()
   }
 }
 
+/**
+ * Sites in a clump far smaller than their distance to the surface: all are about as far from each
+ * corner. That takes little longer than a few hundred, whatever they do; and they move.
+ */
+void testClump()
+{
+  using Clock = std::chrono::steady_clock;
+  for (const int d : { 3, 6 })
+  {
+    const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(3)), d);
+    Sites sites;
+    sites.dimension = d;
+    for (Index k = 0; k < 8000 * d; ++k)
+    {
+      const double middle = k % d == 0 ? 1.5 : 0.0;
+      sites.coordinates.push_back(middle + 1e-3 * (2.0 * uniform01(5, k, 0) - 1.0));
+    }
+    NeighborLists lists;
+    Ownership ownership;
+    for (const int step : { 0, 1, 2 })
+    {
+      CHECK(lists.update(sites, RunControl()).ok());
+      const Clock::time_point start = Clock::now();
+      CHECK(ownership.update(surface, sites, lists, RunControl()).ok());
+      CHECK(Clock::now() - start < std::chrono::seconds(3));
+      CHECK(ownership.owners() == ownersByDefinition(surface, sites));
+      move(sites, 1e-7, step);
+    }
+  }
+}
+
 /** Sites on a grid and corners on a finer one: many corners tie, between up to four sites. */
 void testTies()
 {
@@ -135,6 +167,7 @@ int TestOwnership(int, char*[])
 {
   testRandomSites();
   testCreep();
+  testClump();
   testTies();
   return test::result();
 }

@@ -26,6 +26,7 @@ FacetDecomposition<D>::FacetDecomposition(const EmbeddedSurface& surface, const 
   , m_slotOfSite(static_cast<std::size_t>(sites.count()))
   , m_cutOfSlot(static_cast<std::size_t>(sites.count()), 0)
   , m_center(static_cast<std::size_t>(surface.dimension))
+  , m_vertex(static_cast<std::size_t>(surface.dimension))
 {
 }
 
@@ -149,13 +150,56 @@ void FacetDecomposition<D>::clipWithNeighbors(FacetPiece& piece)
   NeighborWalk walk(m_lists, m_longer, site.id);
   const auto excludes = [&](double least)
   { return m_security.excludes(least, radius, reach) || piece.polygon.empty(); };
+  int steps = 0;
   while (walk.next(excludes))
   {
+    if (++steps > longestWalk)
+    {
+      this->clipAroundVertices(piece);
+      return;
+    }
     if (m_tiling.clip(piece.polygon, piece.slot, this->slotOf(walk.site())))
     {
       radius = radiusNow();
     }
   }
+}
+
+/** Clips until no site can win a vertex of what is left. */
+template <int D>
+void FacetDecomposition<D>::clipAroundVertices(FacetPiece& piece)
+{
+  for (std::size_t v = 0; v < piece.polygon.size();)
+  {
+    v = this->clipAround(piece.polygon[v], piece) ? 0 : v + 1;
+  }
+}
+
+/** Whether the sites that may win this vertex of the piece have taken a part of it. */
+template <int D>
+bool FacetDecomposition<D>::clipAround(PieceVertex vertex, FacetPiece& piece)
+{
+  for (std::size_t k = 0; k < m_vertex.size(); ++k)
+  {
+    m_vertex[k] =
+      vertex.b[0] * m_points[0][k] + vertex.b[1] * m_points[1][k] + vertex.b[2] * m_points[2][k];
+  }
+  const Index own = m_tiling.site(piece.slot).id;
+  const auto clip = [&](Index site)
+  { return site != own && m_tiling.clip(piece.polygon, piece.slot, this->slotOf(site)); };
+  if (clip(m_lists.search().nearest(m_vertex.data()))) // else there may be many that are nearer
+  {
+    return true;
+  }
+  const double distance =
+    std::sqrt(squaredDistance<D>(m_sites.site(own), m_vertex.data(), m_surface.dimension));
+  m_lists.sitesNear(m_vertex.data(), aboveRounding * distance, m_near);
+  bool taken = false;
+  for (const Neighbor& neighbor : m_near)
+  {
+    taken = clip(neighbor.site) || taken;
+  }
+  return taken;
 }
 
 template <int D>

@@ -10,7 +10,9 @@
  * 3. Each piece starts as the facet and is clipped, with those sites, or, where they are too many,
  *    with the neighbours of its site by increasing distance, until the radius of security ([Levy12]
  *    Algorithm 2). The bisectors that bound a piece name the next ones ([Levy12] 4.2, the
- *    propagation over the cell graph, inside one facet).
+ *    propagation over the cell graph, inside one facet). Where all sites are far away against their
+ *    spacing, nearly all are within that radius: then the sites nearest to the piece's vertices are
+ *    looked for instead. One that takes a part of a convex piece wins a vertex of it.
  *
  * The result is exact either way. Cost: O(k) distances in R^d for k sites near the facet.
  */
@@ -67,6 +69,8 @@ private:
   bool addCandidate(Index site);
   void clipWithCandidates(FacetPiece& piece);
   void clipWithNeighbors(FacetPiece& piece);
+  void clipAroundVertices(FacetPiece& piece);
+  bool clipAround(PieceVertex vertex, FacetPiece& piece);
   int slotOf(Index site);
   int addSlot(const FacetSite& seen);
   void enqueue(int slot);
@@ -89,6 +93,8 @@ private:
   std::vector<Index> m_cutOfSlot;  ///< per site
   Index m_cut = 0;                 ///< counts the calls of gather()
   std::vector<double> m_center;    ///< d
+  std::vector<double> m_vertex;    ///< d
+  std::vector<Neighbor> m_near;
 };
 
 extern template class FacetDecomposition<3>;

@@ -16,6 +16,7 @@
 #ifndef remesh_NeighborLists_h
 #define remesh_NeighborLists_h
 
+#include "Embedding/Distance.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/NeighborSearch.h"
@@ -103,6 +104,12 @@ public:
   /** Sites in the list have come nearer by no more than this since the lists were built. */
   double approachOfListed(Index site) const { return m_approaches[site]; }
 
+  /** All sites that may now be within `distance` of a point of R^d, and few others. */
+  void sitesNear(const double* point, double distance, std::vector<Neighbor>& found) const
+  {
+    m_search->within(point, aboveRounding * (distance + m_largestDisplacement), found);
+  }
+
   /** The tree over the sites as they were when the lists were built. */
   const NeighborSearch& search() const { return *m_search; }
 
@@ -140,6 +147,12 @@ private:
   double m_usualDisplacement = 0.0; ///< the largest but for those of a few sites
   std::vector<float> m_leapers;     ///< n, the distance of the nearest of these; rounded down
 };
+
+/**
+ * Of a walk through sites. Who is far from all sites against their spacing would meet them all: the
+ * tree finds those near a point sooner then.
+ */
+constexpr int longestWalk = 100;
 
 /** One thread's longer lists, kept while it works on a block. */
 class LongerLists

@@ -25,8 +25,33 @@ struct Nearer
 {
   Index site = noIndex; ///< one that is nearer than the owner, or noIndex
   double owned = 0.0;   ///< squared distance of the owner
-  double others = 0.0;  ///< no other site is nearer than this, if there is none
+  double others = 0.0;  ///< no other site is known to be nearer than this, if there is none
 };
+
+/** The nearest site, or `owner`, from the tree: its first answer tells how far to look. */
+template <int D>
+Nearer findNearest(const double* point, Index owner, const Sites& sites, const NeighborLists& lists)
+{
+  const int d = sites.dimension;
+  const double owned = squaredDistance<D>(sites.site(owner), point, d);
+  const double first = squaredDistance<D>(sites.site(lists.search().nearest(point)), point, d);
+  std::vector<Neighbor> found;
+  lists.sitesNear(point, std::sqrt(std::min(owned, first)), found);
+  Nearer result;
+  Index best = owner;
+  result.owned = owned;
+  for (const Neighbor& neighbor : found)
+  {
+    const double other = squaredDistance<D>(sites.site(neighbor.site), point, d);
+    if (other < result.owned || (other == result.owned && neighbor.site < best))
+    {
+      result.owned = other;
+      best = neighbor.site;
+    }
+  }
+  result.site = best == owner ? noIndex : best;
+  return result;
+}
 
 /**
  * A site nearer to the point than `owner`. Sites farther than twice the owner's distance from the
@@ -43,8 +68,13 @@ Nearer findNearer(const double* point, Index owner, const Sites& sites, const Ne
   const double radius = std::sqrt(result.owned);
   double second = infinity; // squared
   NeighborWalk walk(lists, longer, owner);
+  int steps = 0;
   while (walk.next([&](double least) { return security.excludes(least, radius, radius); }))
   {
+    if (++steps > longestWalk)
+    {
+      return findNearest<D>(point, owner, sites, lists);
+    }
     const double other = squaredDistance<D>(sites.site(walk.site()), point, d);
     if (other < result.owned || (other == result.owned && walk.site() < owner))
     {

@@ -3,7 +3,8 @@
  * @brief The site nearest to each corner of the surface, while the sites move.
  *
  * Walks from each corner's last owner to a nearer neighbour as long as there is one: exact (the
- * lower id wins a tie), and a few distances when the last owner is nearly right. By how much an
+ * lower id wins a tie), and a few distances when the last owner is nearly right; where the walk
+ * becomes long, the tree is asked. By how much an
  * owner is nearer than all other sites is kept: as long as the sites have moved by less
  * (SiteDrift.h), it is still the owner, and no distance is computed.
  */
