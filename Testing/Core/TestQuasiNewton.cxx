@@ -118,6 +118,63 @@ void testFirstStepIsLloyds()
   }
 }
 
+/** How far a step is from Lloyd's direction, as a part of its length; `before` is where it began.
+ */
+double angleToLloyds(const Run& before, const Run& after)
+{
+  Eigen::VectorXd step(before.sums.moment.size());
+  Eigen::VectorXd lloyds(before.sums.moment.size());
+  for (Eigen::Index k = 0; k < step.size(); ++k)
+  {
+    step[k] = after.sites.coordinates[k] - before.sites.coordinates[k];
+    lloyds[k] = before.sums.moment[k] / before.sums.mass[k / before.sites.dimension];
+  }
+  lloyds.normalize();
+  return (step - step.dot(lloyds) * lloyds).norm() / step.norm();
+}
+
+/** The curvature that the energy showed along a step: its sign tells whether the pair is of use. */
+double curvatureAlong(const Run& before, const Run& after)
+{
+  double product = 0.0;
+  for (std::size_t k = 0; k < before.sums.moment.size(); ++k)
+  {
+    product += (after.sites.coordinates[k] - before.sites.coordinates[k]) *
+      (before.sums.moment[k] - after.sums.moment[k]);
+  }
+  return product;
+}
+
+/** Where a step shows no positive curvature, the pair before stays: the next is not Lloyd's. */
+void testRefusedPairs()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(2)), 3);
+  int refused = 0;
+  for (const auto& [sites, seed] : { std::pair(5, 4), std::pair(10, 2), std::pair(10, 4) })
+  {
+    const Sites start = test::sampled(surface, sites, static_cast<std::uint64_t>(seed));
+    const auto after = [&](int count)
+    {
+      QuasiNewtonOptions options = steps(count);
+      options.historyLength = 1;
+      return minimized(surface, start, options);
+    };
+    Run before = after(0);
+    bool wasRefused = false;
+    for (int count = 1; count < 14; ++count)
+    {
+      Run run = after(count);
+      CHECK_EQUAL(run.convergence.rows.size(), static_cast<std::size_t>(count) + 1);
+      const double angle = angleToLloyds(before, run);
+      CHECK(count > 1 ? angle > 1e-3 : angle < 1e-9);
+      refused += wasRefused;
+      wasRefused = curvatureAlong(before, run) < 0.0;
+      before = std::move(run);
+    }
+  }
+  CHECK(refused > 5);
+}
+
 /** As many evaluations of Lloyd's method end higher, and with a larger gradient. */
 void testFasterThanLloyd()
 {
@@ -175,6 +232,7 @@ int TestQuasiNewton(int, char*[])
   testDescent();
   testStepsStayNear();
   testFirstStepIsLloyds();
+  testRefusedPairs();
   testFasterThanLloyd();
   testConvergence();
   testTolerances();
