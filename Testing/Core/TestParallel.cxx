@@ -1,39 +1,13 @@
 // Support/Parallel: each block runs once, and what one throws reaches the caller, from any thread.
 
 #include "Support/Parallel.h"
+#include "TestMemory.h"
 #include "TestSupport.h"
 
 #include <atomic>
-#include <cstdlib>
 #include <new>
 
 using namespace remesh;
-
-namespace
-{
-/** While it is set, the memory of this thread has run out. */
-thread_local bool memoryIsOut = false;
-}
-
-void* operator new(std::size_t size)
-{
-  void* memory = memoryIsOut ? nullptr : std::malloc(size > 0 ? size : 1);
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace
 {
@@ -89,16 +63,16 @@ void testScratchPool()
     auto second = pool.borrow();
     auto third = pool.borrow();
     CHECK(*first != *second && *second != *third && *third != *first);
-    memoryIsOut = true;
+    test::allocationsLeft = 0;
     first.reset();
     second.reset();
     third.reset();
-    memoryIsOut = false;
+    test::allocationsLeft = test::noShortage;
     CHECK_EQUAL(made, 3);
   }
   {
     const auto all = { pool.borrow().release(), pool.borrow().release(), pool.borrow().release() };
-    memoryIsOut = true;
+    test::allocationsLeft = 0;
     bool failed = false;
     try
     {
@@ -108,7 +82,7 @@ void testScratchPool()
     {
       failed = true;
     }
-    memoryIsOut = false;
+    test::allocationsLeft = test::noShortage;
     CHECK(failed);
     for (int* item : all)
     {

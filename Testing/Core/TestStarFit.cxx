@@ -6,9 +6,11 @@
 #include "Placement/StarFit.h"
 #include "Placement/SurfaceSamples.h"
 #include "TestLanes.h"
+#include "TestMemory.h"
 #include "TestPlacements.h"
 #include "TestSurfaces.h"
 
+#include <cstring>
 #include <map>
 
 using namespace remesh;
@@ -133,6 +135,47 @@ void checkBlock(const PlacementProblem& problem, const std::vector<Point3>& posi
   }
   CHECK(beside > 10);
 }
+
+/** Wherever memory runs out in one block, the sums of the next are those of a fit of its own. */
+void checkShortage(const PlacementProblem& problem, const std::vector<Point3>& positions)
+{
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  std::vector<Point3> normals;
+  for (const auto& [i, j, k] : problem.triangles)
+  {
+    normals.push_back(facetNormal(positions[i], positions[j], positions[k]));
+  }
+  FitSamples samples(problem, samplesPerVertex);
+  StarBlock expected;
+  StarFit(problem, stars, positions, normals).sum(samples, 0, expected);
+  int shortages = 0;
+  for (bool failed = true; failed; ++shortages)
+  {
+    StarFit fit(problem, stars, positions, normals);
+    StarBlock block;
+    failed = false;
+    test::allocationsLeft = shortages;
+    try
+    {
+      fit.sum(samples, 0, block);
+    }
+    catch (const std::bad_alloc&)
+    {
+      failed = true;
+    }
+    test::allocationsLeft = test::noShortage;
+    StarBlock next;
+    fit.sum(samples, 0, next);
+    CHECK(next.triangles == expected.triangles);
+    CHECK_EQUAL(next.sums.size(), expected.sums.size());
+    if (!next.sums.empty() && next.sums.size() == expected.sums.size())
+    {
+      CHECK(std::memcmp(next.sums.data(), expected.sums.data(),
+              next.sums.size() * sizeof(TriangleSums)) == 0);
+    }
+  }
+  CHECK(shortages > 10);
+}
 }
 
 int TestStarFit(int, char*[])
@@ -150,5 +193,6 @@ int TestStarFit(int, char*[])
     positions[v] += 0.05 * (v % 3 == 0 ? 1.0 : 0.1) * test::randomPoint(1, v);
   }
   checkBlock(problem, positions);
+  checkShortage(problem, positions);
   return test::result();
 }
