@@ -8,6 +8,8 @@
  */
 #include "Adaptors/SurfaceIntake.h"
 
+#include "Adaptors/EarClipping.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -71,6 +73,8 @@ public:
   Status ReadPolygons();
   Status ReadStrips();
 
+  Offset NumberOfUncutPolygons() const { return this->Uncut; }
+
 private:
   bool CopyTriangles();
   template <class ArrayType>
@@ -79,7 +83,9 @@ private:
   void AddTriangle(Offset a, Offset b, Offset c);
   void AddPolygon(vtkIdType size, const vtkIdType* ids);
   void AddQuadrilateral();
+  bool ScaleLoop();
   bool TriangulateLoop();
+  void AddFan();
   void AddLargePolygon();
   void AddStrip(vtkIdType size, const vtkIdType* ids);
 
@@ -93,9 +99,12 @@ private:
   TriangleSoup& Soup;
 
   Offset Cell = 0;          ///< the cell being read
+  Offset Uncut = 0;         ///< polygons so far whose triangles overlap
   std::vector<Offset> Loop; ///< its points, without consecutive repetitions
+  std::vector<Point3> Scaled;
+  std::vector<std::array<Offset, 3>> Triangulation;
   vtkNew<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Triangulation;
+  vtkNew<vtkIdList> PolygonIds;
 };
 
 CellReader::CellReader(vtkPolyData* input, TriangleSoup& soup)
@@ -129,28 +138,61 @@ void CellReader::AddTriangle(Offset a, Offset b, Offset c)
   this->Soup.inputCells.push_back(this->Cell);
 }
 
+/**
+ * The loop's points multiplied by a power of two, which does not round, so that differences are
+ * about 1 in size, and squares of areas stay in range. False for points that are not finite, or all
+ * in one place.
+ */
+bool CellReader::ScaleLoop()
+{
+  double extent = 0.0;
+  for (std::size_t i = 0; i < this->Loop.size(); ++i)
+  {
+    const Point3 difference = this->At(i) - this->At(0);
+    if (!difference.allFinite()) // the intake will say so
+    {
+      return false;
+    }
+    extent = std::max(extent, difference.cwiseAbs().maxCoeff());
+  }
+  int exponent = 0;
+  std::frexp(extent, &exponent);
+  this->Scaled.clear();
+  for (std::size_t i = 0; i < this->Loop.size(); ++i)
+  {
+    this->Scaled.push_back(
+      this->At(i).unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); }));
+  }
+  return extent > 0.0;
+}
+
 /** Cuts the four points of the loop into two triangles. */
 void CellReader::AddQuadrilateral()
 {
+  if (!this->ScaleLoop())
+  {
+    this->AddFan();
+    return;
+  }
+  const std::vector<Point3>& p = this->Scaled;
   // Whether the diagonal from corner k cuts off two triangles that face the same way.
-  const auto isInside = [this](int k)
+  const auto isInside = [&p](int k)
   {
     constexpr double noShare = 1e-12; // of the larger triangle: a corner on a straight line
-    const Point3 diagonal = this->At((k + 2) % 4) - this->At(k);
-    const Point3 first = (this->At((k + 1) % 4) - this->At(k)).cross(diagonal);
-    const Point3 second = diagonal.cross(this->At((k + 3) % 4) - this->At(k));
+    const Point3 diagonal = p[(k + 2) % 4] - p[k];
+    const Point3 first = (p[(k + 1) % 4] - p[k]).cross(diagonal);
+    const Point3 second = diagonal.cross(p[(k + 3) % 4] - p[k]);
     const double larger = std::max(first.squaredNorm(), second.squaredNorm());
     return first.dot(second) > noShare * larger;
   };
-  const double first = (this->At(0) - this->At(2)).squaredNorm();
-  const double second = (this->At(1) - this->At(3)).squaredNorm();
+  const double first = (p[0] - p[2]).squaredNorm();
+  const double second = (p[1] - p[3]).squaredNorm();
   const int shorter = first <= second ? 0 : 1;
   const int cut = !isInside(shorter) && isInside(1 - shorter) ? 1 - shorter : shorter;
   const std::vector<Offset>& q = this->Loop;
   if (cut == 0)
   {
-    this->AddTriangle(q[0], q[1], q[2]);
-    this->AddTriangle(q[0], q[2], q[3]);
+    this->AddFan();
   }
   else
   {
@@ -159,56 +201,61 @@ void CellReader::AddQuadrilateral()
   }
 }
 
-/**
- * Fills the polygon and its triangulation from the loop; false if vtkPolygon gives up. Its
- * tolerances are lengths: the polygon is moved and scaled to be about 1 in size.
- */
+/** The loop's triangles, by its corners, from its scaled points; false where there are none. */
 bool CellReader::TriangulateLoop()
 {
   const auto size = static_cast<vtkIdType>(this->Loop.size());
   this->Polygon->Points->SetNumberOfPoints(size);
   this->Polygon->PointIds->SetNumberOfIds(size);
-  double extent = 0.0;
   for (vtkIdType i = 0; i < size; ++i)
   {
-    if (!this->At(i).allFinite()) // the intake will say so
-    {
-      return false;
-    }
-    extent = std::max(extent, (this->At(i) - this->At(0)).cwiseAbs().maxCoeff());
-  }
-  if (!(extent > 0.0) || !std::isfinite(extent))
-  {
-    return false;
-  }
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const Point3 scaled = (this->At(i) - this->At(0)) / extent;
-    this->Polygon->Points->SetPoint(i, scaled.data());
+    const Point3 point = this->Scaled[i] - this->Scaled[0];
+    this->Polygon->Points->SetPoint(i, point.data());
     this->Polygon->PointIds->SetId(i, i);
   }
-  this->Triangulation->Reset();
-  return this->Polygon->Triangulate(this->Triangulation) != 0 &&
-    this->Triangulation->GetNumberOfIds() == 3 * (size - 2);
+  this->PolygonIds->Reset();
+  if (this->Polygon->Triangulate(this->PolygonIds) == 0 ||
+    this->PolygonIds->GetNumberOfIds() != 3 * (size - 2))
+  {
+    return clipEars(this->Scaled, this->Triangulation);
+  }
+  this->Triangulation.clear();
+  for (vtkIdType t = 0; t < size - 2; ++t)
+  {
+    const vtkIdType* ids = this->PolygonIds->GetPointer(3 * t);
+    this->Triangulation.push_back({ ids[0], ids[1], ids[2] });
+  }
+  return true;
+}
+
+void CellReader::AddFan()
+{
+  for (std::size_t k = 1; k + 1 < this->Loop.size(); ++k)
+  {
+    this->AddTriangle(this->Loop[0], this->Loop[k], this->Loop[k + 1]);
+  }
 }
 
 /** Cuts a loop of five points or more. */
 void CellReader::AddLargePolygon()
 {
-  const bool done = this->TriangulateLoop();
-  const auto count = static_cast<vtkIdType>(this->Loop.size()) - 2;
-  for (vtkIdType t = 0; t < count; ++t)
+  const bool isScaled = this->ScaleLoop();
+  if (isScaled && this->TriangulateLoop())
   {
-    if (done)
+    for (const auto& [a, b, c] : this->Triangulation)
     {
-      const vtkIdType* ids = this->Triangulation->GetPointer(3 * t);
-      this->AddTriangle(this->Loop[ids[0]], this->Loop[ids[1]], this->Loop[ids[2]]);
+      this->AddTriangle(this->Loop[a], this->Loop[b], this->Loop[c]);
     }
-    else
-    {
-      this->AddTriangle(this->Loop[0], this->Loop[t + 1], this->Loop[t + 2]);
-    }
+    return;
   }
+  this->AddFan();
+  bool hasArea = false;
+  for (std::size_t k = 1; isScaled && k + 1 < this->Loop.size(); ++k)
+  {
+    const Point3 first = this->Scaled[k] - this->Scaled[0];
+    hasArea = hasArea || first.cross(this->Scaled[k + 1] - this->Scaled[0]).norm() > 1e-12;
+  }
+  this->Uncut += hasArea ? 1 : 0;
 }
 
 void CellReader::AddPolygon(vtkIdType size, const vtkIdType* ids)
@@ -386,7 +433,7 @@ Status checkForPolygons(vtkPolyData* input)
   return Status::success();
 }
 
-Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup)
+Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup, std::string* warning)
 {
   soup = TriangleSoup();
   if (Status found = checkForPolygons(input); !found.ok())
@@ -404,6 +451,11 @@ Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup)
   {
     soup = TriangleSoup();
     return status;
+  }
+  if (warning && reader.NumberOfUncutPolygons() > 0)
+  {
+    *warning = std::to_string(reader.NumberOfUncutPolygons()) +
+      " polygons cross themselves: their triangles overlap.";
   }
   removeGhosts(input, soup);
   return soup.triangles.empty() && input->GetCellGhostArray()

@@ -8,6 +8,8 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Support/Status.h"
 
+#include <string>
+
 class vtkPolyData;
 
 namespace remesh
@@ -19,7 +21,8 @@ namespace remesh
  * - A quadrilateral is cut along its shorter diagonal (a tie: the one of its first point), unless
  *   that diagonal lies outside or on the border (the two triangles oppose each other, or one has
  *   no area) and the other does not.
- * - Larger polygons are cut by vtkPolygon, or into a fan where vtkPolygon gives up.
+ * - Larger polygons are cut by vtkPolygon, or by clipEars where vtkPolygon gives up, as it does
+ *   on holes with bridges to them. One that crosses itself becomes a fan, and a warning tells.
  * - Repeated consecutive points of a polygon count once. A polygon that has one or two points left
  *   is handed on as one degenerate triangle, which the intake then counts and drops; one without
  *   points is skipped.
@@ -27,11 +30,12 @@ namespace remesh
  *
  * @param input any point type; coordinates are converted to double, and not looked at.
  * @param soup is replaced; empty on failure.
+ * @param warning gets a sentence where polygons cross themselves; may be nullptr.
  * @return EmptyInput for no points and no cells, or ghosts alone; InvalidInput for a null input,
  * for one without polygons and strips, for an inconsistent cell array, and for point ids out of
  * range. Cost: O(points + cells), polygons of more than four points apart.
  */
-Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup);
+Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup, std::string* warning = nullptr);
 
 /**
  * Whether there is anything to read, before arrays are looked for: an empty input has none.

@@ -23,9 +23,14 @@ Status takeIn(
   vtkPolyData* input, double mergeTolerance, const RunControl& control, PreparedSurface& prepared)
 {
   TriangleSoup soup;
-  if (Status status = readTriangleSoup(input, soup); !status.ok())
+  std::string warning;
+  if (Status status = readTriangleSoup(input, soup, &warning); !status.ok())
   {
     return status;
+  }
+  if (!warning.empty())
+  {
+    prepared.warnings.push_back(warning);
   }
   IntakeOptions options;
   if (mergeTolerance > 0.0)

@@ -10,6 +10,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 
@@ -236,6 +239,130 @@ void testLargePolygons()
   }
 }
 
+/** The corners of a regular polygon around a place; against the clock if the radius is positive. */
+std::vector<Point3> ring(int corners, double radius, const Point3& center)
+{
+  std::vector<Point3> points;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = (radius > 0.0 ? 2.0 : -2.0) * test::pi * i / corners;
+    points.push_back(center + std::abs(radius) * Point3(std::cos(angle), std::sin(angle), 0.0));
+  }
+  return points;
+}
+
+/** Goes over to `hole` from a corner of the loop, around it from its corner `start`, and back. */
+void addHole(std::vector<Point3>& loop, std::size_t corner, std::vector<Point3> hole, int start)
+{
+  std::rotate(hole.begin(), hole.begin() + start, hole.end());
+  hole.push_back(hole.front());
+  hole.push_back(loop[corner]);
+  loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(corner) + 1, hole.begin(), hole.end());
+}
+
+/** n - 2 triangles that sum to the polygon's area and face as it does, in any position and size. */
+void checkCut(const std::vector<Point3>& loop, const std::string& where)
+{
+  Point3 normal = Point3::Zero();
+  Cell cell;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    normal += loop[i].cross(loop[(i + 1) % loop.size()]);
+    cell.push_back(static_cast<vtkIdType>(i));
+  }
+  for (const double angle : { 0.0, 1.0 })
+  {
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(angle, Point3(1, 2, 3).normalized()).toRotationMatrix();
+    const Point3 shift = angle * Point3(9, -7, 5);
+    for (const double scale : { 1.0, 1e-80, 1e80, -3.7e-7 })
+    {
+      std::vector<Point3> points;
+      for (const Point3& point : loop)
+      {
+        points.push_back(scale * Point3(turn * point + shift));
+      }
+      TriangleSoup soup;
+      std::string warning;
+      const Status status =
+        readTriangleSoup(polyData(points, { {}, {}, { cell }, {} }), soup, &warning);
+      CHECK(status.ok());
+      for (Point3& point : soup.points)
+      {
+        point = turn.transpose() * point / scale;
+      }
+      const auto areas = areasOf(soup);
+      const auto isGood = [&](bool good)
+      { test::check(good, __FILE__, __LINE__, where + ", scale " + std::to_string(scale)); };
+      isGood(soup.triangles.size() == loop.size() - 2);
+      isGood(std::abs(areas[0] - normal[2]) < 1e-12 * normal[2]);
+      isGood(std::abs(areas[1] - normal[2]) < 1e-12 * normal[2]);
+      isGood(warning.empty());
+    }
+  }
+}
+
+/** Polygons with holes, as loops with bridges that run twice; and concave ones. */
+void testKeyholes()
+{
+  const std::vector<Point3> large = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 } };
+  const std::vector<Point3> small = { { 1, 1, 0 }, { 1, 2, 0 }, { 2, 2, 0 }, { 2, 1, 0 } };
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    std::vector<Point3> loop = large;
+    const int nearest[4] = { 0, 3, 2, 1 };
+    addHole(loop, corner, small, nearest[corner]);
+    for (std::size_t first = 0; first < loop.size(); ++first)
+    {
+      std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+      checkCut(loop, "a square with a hole, from corner " + std::to_string(first));
+    }
+  }
+  for (const int corners : { 3, 4, 7, 40 })
+  {
+    std::vector<Point3> loop = ring(12, 2.0, Point3::Zero());
+    addHole(loop, 6, ring(corners, -0.4, { -1, 0, 0 }), corners / 2);
+    addHole(loop, 0, ring(corners, -0.4, { 1, 0, 0 }), 0);
+    checkCut(loop, "two holes of " + std::to_string(corners) + " corners");
+    // A third hole, on a bridge from the second one's.
+    std::vector<Point3> chain = ring(5, 4.0, Point3::Zero());
+    addHole(chain, 0, ring(corners, -0.5, { 2, 0, 0 }), 0);
+    const std::size_t last = corners % 2 == 0 ? 2 + corners / 2 : 0;
+    if (last > 0)
+    {
+      addHole(chain, last - 1, ring(6, -0.5, { 0, 0, 0 }), 0);
+    }
+    checkCut(chain, "a chain of holes of " + std::to_string(corners) + " corners");
+  }
+  // A bridge with corners on it, in both directions, and a hole that touches the border.
+  checkCut({ { 0, 0, 0 }, { 6, 0, 0 }, { 6, 6, 0 }, { 0, 6, 0 }, { 0, 0, 0 }, { 1, 1, 0 },
+             { 2, 2, 0 }, { 2, 4, 0 }, { 4, 4, 0 }, { 4, 2, 0 }, { 2, 2, 0 }, { 1, 1, 0 } },
+    "corners on a bridge");
+  checkCut(
+    { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 6, 0 }, { 0, 6, 0 }, { 0, 0, 0 }, { 2, 4, 0 }, { 4, 2, 0 } },
+    "a hole from a corner");
+  checkCut({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0.2, 0 }, { 2, 2, 0 }, { 1, 1, 0 }, { 0, 2, 0 },
+             { 0.4, 1, 0 } },
+    "a concave polygon");
+  checkCut({ { 0, 0, 0 }, { 4, -1, 0 }, { 1, 0, 0 }, { 4, 1, 0 } }, "an arrow");
+  checkCut({ { 0, 0, 0 }, { 4, 1, 0 }, { 5, 5, 0 }, { 1, 0.5, 0 } }, "a concave quadrilateral");
+}
+
+/** What crosses itself cannot be cut, and is told. */
+void testCrossingPolygons()
+{
+  const std::vector<Point3> eight = { { 0, 0, 0 }, { 2, 2, 0 }, { 4, 0, 0 }, { 4, 2, 0 },
+    { 2, 0.5, 0 }, { 0, 2, 0 } };
+  TriangleSoup soup;
+  std::string warning;
+  CHECK(readTriangleSoup(
+    polyData(eight, { {}, {}, { { 0, 1, 2, 3, 4, 5 }, { 0, 1, 2 }, { 1, 2, 3, 4, 5, 0 } }, {} }),
+    soup, &warning)
+          .ok());
+  CHECK_EQUAL(soup.triangles.size(), std::size_t(9));
+  CHECK_EQUAL(warning, "2 polygons cross themselves: their triangles overlap.");
+}
+
 void testRepeatedAndMissingPoints()
 {
   CHECK(
@@ -328,6 +455,8 @@ int TestSurfaceIntake(int, char*[])
   testStrips();
   testQuadrilaterals();
   testLargePolygons();
+  testKeyholes();
+  testCrossingPolygons();
   testRepeatedAndMissingPoints();
   testMixedCube();
   testRefusals();
