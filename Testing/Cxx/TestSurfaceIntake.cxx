@@ -177,13 +177,13 @@ void testQuadrilaterals()
   CHECK(
     readPolygon({ { 1, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 0, 0, 0 } }, quad).triangles == along02);
   // Concave at each corner in turn: the shorter diagonal lies outside.
-  const std::vector<Point3> arrow = { { 0, 0, 0 }, { 4, -1, 0 }, { 1, 0, 0 }, { 4, 1, 0 } };
+  const std::vector<Point3> arrow = { { 0, 0, 0 }, { 4, -1, 0 }, { 3, 0, 0 }, { 4, 1, 0 } };
   for (vtkIdType first = 0; first < 4; ++first)
   {
     const Cell turned = { first, (first + 1) % 4, (first + 2) % 4, (first + 3) % 4 };
     const std::array<double, 2> areas = areasOf(readPolygon(arrow, turned));
-    CHECK_NEAR(areas[0], 2.0, 1e-15);
-    CHECK_NEAR(areas[1], 2.0, 1e-15); // no triangle outside
+    CHECK_NEAR(areas[0], 6.0, 1e-15);
+    CHECK_NEAR(areas[1], 6.0, 1e-15); // no triangle outside
   }
   // A corner on a straight line: no triangle without area, though that diagonal is shorter.
   const TriangleSoup flat =
@@ -344,7 +344,9 @@ void testKeyholes()
   checkCut({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0.2, 0 }, { 2, 2, 0 }, { 1, 1, 0 }, { 0, 2, 0 },
              { 0.4, 1, 0 } },
     "a concave polygon");
-  checkCut({ { 0, 0, 0 }, { 4, -1, 0 }, { 1, 0, 0 }, { 4, 1, 0 } }, "an arrow");
+  // Where the shorter diagonal lies outside.
+  checkCut({ { 0, 0, 0 }, { 4, -1, 0 }, { 3, 0, 0 }, { 4, 1, 0 } }, "an arrow");
+  checkCut({ { 4, -1, 0 }, { 3, 0, 0 }, { 4, 1, 0 }, { 0, 0, 0 } }, "an arrow, turned");
   checkCut({ { 0, 0, 0 }, { 4, 1, 0 }, { 5, 5, 0 }, { 1, 0.5, 0 } }, "a concave quadrilateral");
 }
 
