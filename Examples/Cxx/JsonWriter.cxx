@@ -105,6 +105,12 @@ void JsonWriter::Add(const std::string& key, double value)
   this->Text += std::isfinite(value) ? digits : "null";
 }
 
+void JsonWriter::Add(const std::string& key, bool value)
+{
+  this->Prefix(key);
+  this->Text += value ? "true" : "false";
+}
+
 void JsonWriter::Add(const std::string& key, long long value)
 {
   this->Prefix(key);

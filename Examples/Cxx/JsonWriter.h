@@ -27,6 +27,7 @@ public:
   void Add(const std::string& key, const char* value) { this->Add(key, std::string(value)); }
   void Add(const std::string& key, double value);
   void Add(const std::string& key, long long value);
+  void Add(const std::string& key, bool value);
   void Add(const std::string& key, int value) { this->Add(key, static_cast<long long>(value)); }
   ///@}
 

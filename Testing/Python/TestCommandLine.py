@@ -216,7 +216,7 @@ class TestResults(CommandLineTest):
             report = json.load(file)
         self.assertFalse({"rms_distance", "maximum_distance"} & set(report["output"]))
         self.assertEqual(report["seconds"]["distance"], 0)
-        self.assertFalse(report["parameters"]["measure_distance"])
+        self.assertIs(report["parameters"]["measure_distance"], False)
 
     def test_placement(self):
         # On the sphere of radius 0.5 all placements tell themselves apart by the mean radius.
