@@ -15,8 +15,6 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
-#include <exception>
-#include <new>
 
 vtkEmbeddedSurfaceAlgorithm::vtkEmbeddedSurfaceAlgorithm()
   : Internals(new vtkInternals)
@@ -173,26 +171,8 @@ vtkEmbeddedSurfaceAlgorithm::vtkInternals::Outcome
 vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(vtkEmbeddedSurfaceAlgorithm* self,
   vtkInformationVector* outputVector, const std::function<remesh::Status()>& work)
 {
-  static const char* const names[] = { "", "Sequential", "STDThread", "TBB" };
-  bool available = true;
-  remesh::Execution execution =
-    remesh::chooseExecution(names[self->SMPBackend], self->NumberOfThreads, available);
-  if (!available)
-  {
-    vtkWarningWithObjectMacro(self,
-      "This VTK has no SMP back-end " << names[self->SMPBackend] << "; " << execution.backend
-                                      << " is used.");
-  }
-  remesh::Status status;
-  try
-  {
-    remesh::runInScope(execution, [&]() { status = work(); });
-  }
-  catch (const std::bad_alloc&)
-  {
-    status = { remesh::StatusCode::OutOfMemory, "There is not enough memory for this run." };
-  }
-  self->Internals->LastRun.Execution = execution;
+  remesh::Status status = remesh::runFilter(
+    self, self->SMPBackend, self->NumberOfThreads, work, self->Internals->LastRun.Execution);
   if (!status.ok())
   {
     remesh::emptyPorts(outputVector);

@@ -12,8 +12,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <new>
-
 vtkStandardNewMacro(vtkSurfaceMeshComparison);
 
 namespace
@@ -65,20 +63,6 @@ void writeOutputs(vtkPolyData* mesh, vtkPolyData* reference, const Surfaces& sur
     surfaces.mesh, comparison, vtkTable::GetData(outputs, Filter::SUMMARY));
   remesh::writeComparisonHistograms(
     comparison, bins, vtkTable::GetData(outputs, Filter::HISTOGRAMS));
-}
-
-remesh::Execution chooseExecution(vtkObject* self, int backend, int threads)
-{
-  static const char* const names[] = { "", "Sequential", "STDThread", "TBB" };
-  bool available = true;
-  remesh::Execution execution = remesh::chooseExecution(names[backend], threads, available);
-  if (!available)
-  {
-    vtkWarningWithObjectMacro(self,
-      "This VTK has no SMP back-end " << names[backend] << "; " << execution.backend
-                                      << " is used.");
-  }
-  return execution;
 }
 }
 
@@ -141,27 +125,22 @@ int vtkSurfaceMeshComparison::RequestData(
   options.boundTolerance = this->BoundMaximumDistance ? 0.01 : -1.0;
   options.negligible = 1e-6;
   options.maximumParts = partsPerSample * this->NumberOfSamples;
-  remesh::Execution execution = chooseExecution(this, this->SMPBackend, this->NumberOfThreads);
+  remesh::Execution execution;
   Surfaces surfaces;
   remesh::Comparison comparison;
-  remesh::Status status;
-  try
-  {
-    remesh::runInScope(execution,
-      [&]()
+  const remesh::Status status = remesh::runFilter(
+    this, this->SMPBackend, this->NumberOfThreads,
+    [&]()
+    {
+      remesh::Status compared = readAndCompare(
+        mesh, reference, options, remesh::makeRunControl(this), surfaces, comparison);
+      if (compared.ok())
       {
-        status = readAndCompare(
-          mesh, reference, options, remesh::makeRunControl(this), surfaces, comparison);
-        if (status.ok())
-        {
-          writeOutputs(mesh, reference, surfaces, comparison, this->NumberOfBins, outputVector);
-        }
-      });
-  }
-  catch (const std::bad_alloc&)
-  {
-    status = { remesh::StatusCode::OutOfMemory, "There is not enough memory for this run." };
-  }
+        writeOutputs(mesh, reference, surfaces, comparison, this->NumberOfBins, outputVector);
+      }
+      return compared;
+    },
+    execution);
   if (!status.ok())
   {
     remesh::emptyPorts(outputVector);

@@ -1,9 +1,11 @@
 #include "Adaptors/ExecutionScope.h"
 
+#include "vtkObject.h"
 #include "vtkSMP.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <new>
 #include <thread>
 
 namespace remesh
@@ -56,5 +58,29 @@ void runInScope(Execution& execution, const std::function<void()>& work)
       execution.threads = vtkSMPTools::GetEstimatedNumberOfThreads();
       work();
     });
+}
+
+Status runFilter(vtkObject* filter, int backend, int threads, const std::function<Status()>& work,
+  Execution& execution)
+{
+  static const char* const names[] = { "", "Sequential", "STDThread", "TBB" };
+  bool available = true;
+  execution = chooseExecution(names[backend], threads, available);
+  if (!available)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "This VTK has no SMP back-end " << names[backend] << "; " << execution.backend
+                                      << " is used.");
+  }
+  Status status;
+  try
+  {
+    runInScope(execution, [&]() { status = work(); });
+  }
+  catch (const std::bad_alloc&)
+  {
+    status = { StatusCode::OutOfMemory, "There is not enough memory for this run." };
+  }
+  return status;
 }
 }

@@ -5,8 +5,12 @@
 #ifndef remesh_ExecutionScope_h
 #define remesh_ExecutionScope_h
 
+#include "Support/Status.h"
+
 #include <functional>
 #include <string>
+
+class vtkObject;
 
 namespace remesh
 {
@@ -26,6 +30,16 @@ Execution chooseExecution(const std::string& backend, int threads, bool& availab
 
 /** Runs `work` with that back-end and number of threads, and restores what was there. */
 void runInScope(Execution& execution, const std::function<void()>& work);
+
+/**
+ * Runs a filter's work with its properties `SMPBackend` (0: automatic, Sequential, STDThread, TBB)
+ * and `NumberOfThreads`; warns in its name where this VTK lacks the back-end.
+ *
+ * @param execution what was used.
+ * @return what `work` does, or OutOfMemory where memory did not suffice for it.
+ */
+Status runFilter(vtkObject* filter, int backend, int threads, const std::function<Status()>& work,
+  Execution& execution);
 }
 
 #endif
