@@ -1,7 +1,7 @@
-// Voronoi/NeighborLists: each walk yields all other sites by increasing distance.
+// Voronoi/NeighborLists, NeighborWalk: each walk yields all other sites by increasing distance.
 
 #include "TestEmbeddings.h"
-#include "Voronoi/NeighborLists.h"
+#include "Voronoi/NeighborWalk.h"
 
 #include <algorithm>
 #include <limits>

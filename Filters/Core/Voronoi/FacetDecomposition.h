@@ -21,7 +21,7 @@
 
 #include "Embedding/CornerReader.h"
 #include "Voronoi/FacetTiling.h"
-#include "Voronoi/NeighborLists.h"
+#include "Voronoi/NeighborWalk.h"
 #include "Voronoi/SecurityRadius.h"
 
 namespace remesh

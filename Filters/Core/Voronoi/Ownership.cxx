@@ -3,6 +3,7 @@
 #include "Embedding/CornerReader.h"
 #include "Embedding/Distance.h"
 #include "Support/Parallel.h"
+#include "Voronoi/NeighborWalk.h"
 #include "Voronoi/SecurityRadius.h"
 
 #include <algorithm>
