@@ -24,6 +24,10 @@ namespace remesh
 {
 namespace
 {
+/** Polygons take one or two for each pair of corners; what crosses itself may take more and more.
+ */
+constexpr Offset looksForEach = 20;
+
 class EarClipper
 {
 public:
@@ -45,7 +49,7 @@ private:
 
   int Side(const Point2& a, const Point2& b, const Point2& c) const;
   bool Enters(const std::array<Point2, 3>& triangle, Offset corner, bool& onNewEdge) const;
-  Ear Classify(Offset corner) const;
+  Ear Classify(Offset corner);
   void CutOff(Offset corner, std::vector<std::array<Offset, 3>>& triangles);
 
   std::vector<Point2> Points;
@@ -53,6 +57,7 @@ private:
   std::vector<Offset> Next;
   Offset First = 0; ///< of the corners that are left
   Offset Left = 0;  ///< how many these are
+  Offset Looks = 0; ///< at a corner, so far
 };
 
 bool EarClipper::Project(const std::vector<Point3>& loop)
@@ -123,7 +128,7 @@ bool EarClipper::Enters(const std::array<Point2, 3>& triangle, Offset corner, bo
   return false;
 }
 
-EarClipper::Ear EarClipper::Classify(Offset corner) const
+EarClipper::Ear EarClipper::Classify(Offset corner)
 {
   const std::array<Point2, 3> triangle = { this->Points[this->Previous[corner]],
     this->Points[corner], this->Points[this->Next[corner]] };
@@ -136,6 +141,7 @@ EarClipper::Ear EarClipper::Classify(Offset corner) const
   Offset other = corner;
   do
   {
+    ++this->Looks;
     if (this->Enters(triangle, other, onNewEdge))
     {
       return Ear::None;
@@ -158,6 +164,7 @@ void EarClipper::CutOff(Offset corner, std::vector<std::array<Offset, 3>>& trian
 
 bool EarClipper::Clip(std::vector<std::array<Offset, 3>>& triangles)
 {
+  const Offset most = looksForEach * this->Left * this->Left;
   while (this->Left >= 3)
   {
     Ear best = Ear::None;
@@ -172,8 +179,8 @@ bool EarClipper::Clip(std::vector<std::array<Offset, 3>>& triangles)
         where = corner;
       }
       corner = this->Next[corner];
-    } while (corner != this->First && best != Ear::Clear);
-    if (best == Ear::None)
+    } while (corner != this->First && best != Ear::Clear && this->Looks <= most);
+    if (best == Ear::None || this->Looks > most)
     {
       return false;
     }

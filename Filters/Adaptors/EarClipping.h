@@ -23,7 +23,7 @@ namespace remesh
  * @param loop n >= 3 corners, finite, with differences about 1 in size.
  * @param triangles three corners each, turning as the loop does; of no use on failure.
  * @return false where the loop crosses itself so that this cannot be, or has no area.
- * Cost: O(n^2) as a rule, O(n^3) at worst.
+ * Cost: O(n^2); where it takes far more, as it does where loops cross themselves, it fails.
  */
 bool clipEars(const std::vector<Point3>& loop, std::vector<std::array<Offset, 3>>& triangles);
 }
