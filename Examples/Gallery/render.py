@@ -6,7 +6,8 @@
         [--size WIDTHxHEIGHT]
 
 The cells are coloured by `SiteId`, neighbouring ones differently; their borders are the lines of
-`EdgeType` 0. --view is the direction from the surface to the eye.
+`EdgeType` 0. --view is the direction from the surface to the eye, --up another one that points
+up in the picture.
 """
 import argparse
 import math
@@ -227,7 +228,12 @@ def main():
     parser.add_argument("--up", type=vector, default=(0.0, 1.0, 0.0))
     parser.add_argument("--zoom", type=float, default=1.0)
     parser.add_argument("--size", type=dimensions, default=(2400, 1200))
-    draw(parser.parse_args())
+    options = parser.parse_args()
+    lengths = np.linalg.norm(options.view) * np.linalg.norm(options.up)
+    if not np.linalg.norm(np.cross(options.up, options.view)) > 1e-6 * lengths:
+        parser.error("--view and --up must be directions, and not the same or opposite ones: "
+                     "choose another --up")
+    draw(options)
 
 
 if __name__ == "__main__":

@@ -43,6 +43,16 @@ class TestExamples(CommandLineTest):
         self.assertEqual((surface.GetNumberOfPoints(), surface.GetNumberOfPolys()), (60, 116))
         self.assertIn("Euler characteristic 2\n", text)
 
+    def test_render_from_above(self):
+        render = os.path.join(os.path.dirname(self.script), os.pardir, "Gallery", "render.py")
+        files = [word for name in ("surface", "cells", "edges") for word in (f"--{name}", "x.vtp")]
+        for view in ("0,1,0", "0,-2,0", "nan,0,1"):
+            result = subprocess.run([sys.executable, render, *files, "--output", "x.png",
+                                     f"--view={view}"], cwd=self.folder, capture_output=True,
+                                    encoding="utf-8", timeout=300, check=False)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("--view and --up must be directions", result.stderr)
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
