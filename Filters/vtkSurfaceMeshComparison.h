@@ -5,8 +5,8 @@
  * Input port 0: the mesh to judge; port 1, optional: the reference surface. Both are any
  * vtkPolyData with polygons or triangle strips, which are cut into triangles as
  * vtkEmbeddedSurfaceAlgorithm does. Nothing is merged, dropped or turned round: the mesh is judged
- * as it is. Vertices and lines are ignored, points that no triangle uses take no part in the
- * surfaces.
+ * as it is. Vertices, lines and ghost cells are ignored, points that no triangle uses take no part
+ * in the surfaces.
  *
  * Output ports:
  * - 0 `Mesh`: the mesh with all its arrays but those named like the filter's own (other cells than
@@ -21,8 +21,9 @@
  *   equally close, the one that faces most alike; NaN for a triangle without area), `Flipped` (1
  *   where that is above 90), and point arrays `Distance` to the reference and `SignedDistance`
  *   (negative behind the reference, against its normals).
- * - 1 `Reference`: the reference with the point arrays `Distance` to the mesh and `SignedDistance`;
- *   empty without a reference.
+ * - 1 `Reference`: the reference with the point arrays `Distance` to the mesh and `SignedDistance`,
+ *   and unlike port 0 with all its cells as they are, also those that take no part, as ghost cells
+ *   and their marks; empty without a reference.
  * - 2 `Summary`: a table of one row. With a reference, in its unit of length and, as columns with
  *   the prefix `Relative`, as a fraction of its bounding box's diagonal (`ReferenceDiagonal`):
  *   `RMSDistance` (root of the mean of the mean squares of both directions), `MaximumDistance`,

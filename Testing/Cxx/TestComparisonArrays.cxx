@@ -6,6 +6,7 @@
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkUnsignedCharArray.h"
 
 using namespace remesh;
 using namespace remesh::test;
@@ -131,6 +132,18 @@ void testCutCells()
   vtkDataArray* ids = uncut->GetOutput()->GetCellData()->GetGlobalIds();
   CHECK(ids != nullptr && ids->GetComponent(0, 0) == 101.0);
 }
+
+/** Ghost cells are not on port 0; on port 1 they are as they came. */
+void testGhosts()
+{
+  const auto surface = polyDataOf(gridPatch(2, 1));
+  surface->AllocateCellGhostArray();
+  surface->GetCellGhostArray()->SetValue(1, vtkDataSetAttributes::DUPLICATECELL);
+  const auto filter = compare(surface, surface);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), surface->GetNumberOfCells() - 1);
+  CHECK_EQUAL(filter->GetReferenceOutput()->GetNumberOfCells(), surface->GetNumberOfCells());
+  CHECK(filter->GetReferenceOutput()->GetCellGhostArray() != nullptr);
+}
 }
 
 int TestComparisonArrays(int, char*[])
@@ -138,5 +151,6 @@ int TestComparisonArrays(int, char*[])
   testEarlierResults();
   testVertexAndStrip();
   testCutCells();
+  testGhosts();
   return result();
 }

@@ -125,6 +125,22 @@ void testSites(vtkPolyData* input)
   }
 }
 
+/** After an abort, Modified() makes the filter run again. */
+void testRunAgain(vtkPolyData* input)
+{
+  vtkNew<vtkGaussMapEmbedding> filter;
+  filter->SetInputData(input);
+  {
+    ProgressWatch watch(filter, [&](double) { filter->SetAbortExecute(1); });
+    filter->Update();
+  }
+  CHECK(outputsAreEmpty(filter));
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), input->GetNumberOfPoints());
+}
+
 /** Seconds from an abort, `delay` seconds after the start, to the end; negative if it came late. */
 double secondsToStop(vtkAlgorithm* filter, double delay)
 {
@@ -183,6 +199,7 @@ int TestProgressAbort(int, char*[])
   testProgress(diagram, 5);
   testProgress(embedding, 3);
   testSites(input);
+  testRunAgain(input);
 
   const std::vector<Content> remeshed = contentsOf(remesher);
   for (const double moment :
