@@ -69,6 +69,10 @@ bool moveVertex(const RepairContext& context, Index vertex, bool many, RepairedM
   double least = start;
   for (const Point3& goal : findGoals(context, vertex, mesh, many))
   {
+    if (context.control.cancelled())
+    {
+      break;
+    }
     for (const double way : { 1.0, 0.5, 0.25, 1.5 })
     {
       position = before + way * (goal - before);
