@@ -16,7 +16,7 @@ namespace remesh
  * do not either. There, and beside features, the drawn sites stay: in each cell those farthest from
  * what has grown, so that cells get what is due to their measure, and the number remains.
  *
- * @param sites free ones of a patch come out together, along a curve through space.
+ * @param sites free ones of a patch come out together, in the order of the coarse ones.
  * @return Cancelled; then `sites` is of no use.
  * Cost: O(P + n log n) for P pieces and n sites.
  */
