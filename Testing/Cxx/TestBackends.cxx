@@ -128,7 +128,7 @@ void testSameBytes(vtkPolyData* input)
 void testSameSites(vtkPolyData* input)
 {
   std::vector<Point3> places = { Point3::Zero(), ellipsoidCenter() };
-  for (const Point3& p : icosphere(4).points)
+  for (const Point3& p : icosphere(2).points)
   {
     places.push_back(ellipsoidCenter() + 0.3 * p);
     places.push_back(ellipsoidCenter() + Point3(0.0, 0.0, p[2]));
