@@ -18,7 +18,6 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401 (render windows need it)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkImageAppend, vtkThreshold
-from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
 from vtkmodules.vtkImagingCore import vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -26,6 +25,11 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkDataSetMapper, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
     vtkWindowToImageFilter)
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
+
+try:
+    from vtkmodules.vtkFiltersCore import vtkExtractEdges
+except ImportError:  # VTK 9.1
+    from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
 
 OVERSAMPLING = 2  # pixels drawn for each pixel of the picture, along each side
 BACKGROUND = (0.985, 0.985, 0.98), (0.86, 0.89, 0.92)  # below, above

@@ -221,9 +221,11 @@ void testClump()
       const double middle = k % d == 0 ? 1.5 : 0.0;
       sites.coordinates.push_back(middle + 1e-3 * (2.0 * uniform01(5, k, 0) - 1.0));
     }
+    const Clock::time_point first = Clock::now();
+    test::computed(surface, test::sampled(surface, sites.count(), 1));
     const Clock::time_point start = Clock::now();
     const test::Computed result = test::computed(surface, sites);
-    CHECK(Clock::now() - start < std::chrono::seconds(5));
+    CHECK(Clock::now() - start < 100 * (start - first));
     test::checkDiagram(mesh, surface, sites, result);
     CHECK(result.diagram.numberOfPieces() > surface.numberOfFacets());
   }

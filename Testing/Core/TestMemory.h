@@ -18,11 +18,17 @@ constexpr long noShortage = std::numeric_limits<long>::max();
 inline thread_local long allocationsLeft = noShortage;
 }
 
-void* operator new(std::size_t size)
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
 {
   long& left = remesh::test::allocationsLeft;
   void* memory = left > 0 ? std::malloc(size > 0 ? size : 1) : nullptr;
   left -= left > 0 && left < remesh::test::noShortage ? 1 : 0;
+  return memory;
+}
+
+void* operator new(std::size_t size)
+{
+  void* memory = operator new(size, std::nothrow);
   if (!memory)
   {
     throw std::bad_alloc();
