@@ -5,6 +5,7 @@
 #include "Optimization/Lloyd.h"
 #include "Optimization/QuasiNewton.h"
 #include "Optimization/Sampling.h"
+#include "RemeshStart.h"
 #include "vtkAnisotropicRemesher.h"
 
 #include <vtkNew.h>
@@ -55,6 +56,17 @@ struct Optimization
   Convergence convergence;
   Index emptyCells = 0;
 };
+
+/** What a default run starts from, where there are no features. */
+Sites firstSites(const EmbeddedSurface& surface, Offset points)
+{
+  RemeshOptions options;
+  options.numberOfSites = points;
+  const SurfaceMesh mesh; // only for features
+  RemeshResult start;
+  orThrow(makeSites({ mesh, surface, nullptr, options }, RunControl(), start));
+  return start.sites;
+}
 
 /** In the back-end that the filter chooses, with as many threads as are set. */
 void inScope(const Settings& settings, const std::function<void()>& work)
@@ -263,9 +275,12 @@ Figures costOfExactness(const EmbeddedSurface& surface, Offset points, const Set
 Figures energyLeft(const EmbeddedSurface& surface, Offset points, const Settings& settings)
 {
   Optimization optimization(surface);
-  orThrow(sampleSurface(surface, points, SamplingMethod::Stratified, 0, optimization.sites));
-  inScope(
-    settings, [&]() { optimization.run(surface, settings.lloydIterations, convergedIterations); });
+  inScope(settings,
+    [&]()
+    {
+      optimization.sites = firstSites(surface, points);
+      optimization.run(surface, settings.lloydIterations, convergedIterations);
+    });
   // The default run is the beginning of the longer one.
   const std::vector<ConvergenceRow>& rows = optimization.convergence.rows;
   const std::size_t end = std::min(rows.size() - 1,

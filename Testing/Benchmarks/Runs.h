@@ -46,7 +46,8 @@ Figures costOfExactness(const EmbeddedSurface& surface, Offset points, const Set
 
 /**
  * How far from converged (300 quasi-Newton iterations) the default run ends:
- * `energy_above_converged` (%), and after how many `steps_to_0.3_percent` it comes that near.
+ * `energy_above_converged` (%), and after how many `steps_to_0.3_percent` it comes that near. The
+ * steps of its coarse start are not counted.
  */
 Figures energyLeft(const EmbeddedSurface& surface, Offset points, const Settings& settings);
 }
