@@ -4,6 +4,7 @@
 #include "Support/Parallel.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace remesh
 {
@@ -12,6 +13,11 @@ Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<
 {
   const bool first = m_triangles.empty();
   m_isFlipped.resize(triangles.size());
+  std::optional<NormalCones> cones; // worth their time where all triangles are judged
+  if (first)
+  {
+    cones.emplace(m_surface.problem(), control);
+  }
   const auto isKnown = [&](std::size_t t)
   {
     return !first && triangles[t] == m_triangles[t] &&
@@ -25,8 +31,9 @@ Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<
           {
             if (!isKnown(t))
             {
-              m_isFlipped[t] =
-                m_surface.isFlipped(triangles[t], cornersOf(triangles[t], positions));
+              const Corners corners = cornersOf(triangles[t], positions);
+              m_isFlipped[t] = cones ? m_surface.isFlipped(triangles[t], corners, *cones)
+                                     : m_surface.isFlipped(triangles[t], corners);
             }
           }
         }))

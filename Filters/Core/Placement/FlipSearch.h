@@ -27,7 +27,8 @@ public:
    * The triangles whose normal makes more than 90 degrees with that of the closest facet of their
    * cells, or of the whole surface if it is known, or that have none (NearbySurface.h), ascending.
    * Parallel. O(T), and for each that is judged O(pieces of its cells), and O(log F) if the whole
-   * surface is known.
+   * surface is known; where all are judged, O(pieces of all cells), and that for the few triangles
+   * alone where the cells bend far.
    *
    * @param triangles T, as many in each search.
    * @return Cancelled; then `flipped` is of no use.

@@ -129,4 +129,15 @@ Facing NearbySurface::facingOf(const Triple& components, const std::array<Point3
     isAbove ? (this->positionOf(own) - centroid).norm() : std::numeric_limits<double>::infinity();
   return { cosine, std::min(cosine, m_whole->leastCosine(centroid, normal, own.facet, within)) };
 }
+
+bool NearbySurface::isFlipped(
+  const Triple& components, const std::array<Point3, 3>& corners, const NormalCones& cones) const
+{
+  const Point3 normal = facetNormal(corners[0], corners[1], corners[2]);
+  const bool facesAll = !m_whole &&
+    std::all_of(components.begin(), components.end(),
+      [&](Index component) { return cones.allAlong(component, normal); }) &&
+    !this->isFlat(corners);
+  return !facesAll && this->isFlipped(components, corners);
+}
 }

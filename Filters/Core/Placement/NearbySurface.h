@@ -6,6 +6,7 @@
 #define remesh_NearbySurface_h
 
 #include "Delaunay/SurfaceLocation.h"
+#include "Placement/NormalCones.h"
 #include "Placement/PlacementProblem.h"
 #include "Placement/WholeSurface.h"
 #include "Support/RunControl.h"
@@ -62,6 +63,10 @@ public:
   {
     return this->facingOf(components, corners).least < 0.0;
   }
+  /** The same, without a look for the closest facet where all that may be it face along. */
+  bool isFlipped(
+    const Triple& components, const std::array<Point3, 3>& corners, const NormalCones& cones) const;
+  const PlacementProblem& problem() const { return m_problem; }
 
 private:
   SurfaceLocation locationNear(
