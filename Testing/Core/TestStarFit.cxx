@@ -3,7 +3,7 @@
 
 #include "Mesh/ClosestPoint.h"
 #include "Mesh/FacetGeometry.h"
-#include "Placement/StarFit.h"
+#include "Placement/FitSystem.h"
 #include "Placement/SurfaceSamples.h"
 #include "TestLanes.h"
 #include "TestMemory.h"
@@ -176,6 +176,39 @@ void checkShortage(const PlacementProblem& problem, const std::vector<Point3>& p
   }
   CHECK(shortages > 10);
 }
+
+template <class T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+/** A system that has been assembled before keeps its memory, and nothing else. */
+void checkRounds(const PlacementProblem& problem, const std::vector<Point3>& positions)
+{
+  const std::vector<Point3>& shapes = problem.components.centroids;
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  const EdgeTable edges = buildEdgeTable(problem.triangles);
+  FitSamples samples(problem, samplesPerVertex);
+  FitSystem once = makeFitSystem(problem, edges);
+  FitSystem again = once;
+  RunControl shuffled;
+  shuffled.schedule = Schedule::ShuffledBlocks;
+  const auto assemble = [&](const std::vector<Point3>& places, FitSystem& system)
+  { CHECK(assembleFit(problem, stars, edges, places, shapes, samples, shuffled, system)); };
+  CHECK(assembleFit(problem, stars, edges, positions, shapes, samples, RunControl(), once));
+  assemble(shapes, again);
+  CHECK(!again.blockSums.empty());
+  const TriangleSums* const memory = again.blockSums.front().sums.data();
+  CHECK(!sameBytes(once.vertexBlocks, again.vertexBlocks));
+  assemble(positions, again);
+  CHECK(memory == again.blockSums.front().sums.data());
+  CHECK(sameBytes(once.vertexBlocks, again.vertexBlocks));
+  CHECK(sameBytes(once.edgeBlocks, again.edgeBlocks));
+  CHECK(sameBytes(once.slopes, again.slopes));
+  CHECK(sameBytes(once.weights, again.weights));
+  CHECK(sameBytes(once.triangleNormals, again.triangleNormals));
+}
 }
 
 int TestStarFit(int, char*[])
@@ -194,5 +227,6 @@ int TestStarFit(int, char*[])
   }
   checkBlock(problem, positions);
   checkShortage(problem, positions);
+  checkRounds(problem, positions);
   return test::result();
 }

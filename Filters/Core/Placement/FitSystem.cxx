@@ -2,13 +2,13 @@
  * @file FitSystem.cxx
  *
  * Blocks of vertices are summed in parallel, each into the triangles that it meets, group by group;
- * after each group its sums are added to the system one block after the other. So memory is bounded
- * by a group, and no bit depends on the threads.
+ * after each group its sums are added to the system one block after the other, in parallel only
+ * what goes to vertices and what goes to edges and triangles. So memory is bounded by a group, and
+ * no bit depends on the threads.
  */
 #include "Placement/FitSystem.h"
 
 #include "Mesh/FacetGeometry.h"
-#include "Placement/StarFit.h"
 #include "Placement/TriangleShape.h"
 #include "Support/Grouping.h"
 
@@ -21,7 +21,7 @@ namespace remesh
 {
 namespace
 {
-constexpr Offset blocksPerGroup = 64;
+constexpr Offset blocksPerGroup = 32; // their sums take up to 1 MB each
 /**
  * The springs' stiffness, as shares of a vertex's own weight: in proportion to what the surface
  * says about moves along it, which on smooth surfaces is little, and on scans much noise.
@@ -50,8 +50,24 @@ Symmetric3<double> symmetric(const double (&row)[lanes])
   return Eigen::Map<const Symmetric3<double>>(row);
 }
 
-void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const StarBlock& block,
-  FitSystem& system)
+/** What a block's samples add to the vertices' blocks and slopes. */
+void addToVertices(const PlacementProblem& problem, const StarBlock& block, FitSystem& system)
+{
+  for (std::size_t s = 0; s < block.triangles.size(); ++s)
+  {
+    const Triple& triangle = problem.triangles[block.triangles[s]];
+    const TriangleSums& sums = block.sums[s];
+    for (int k = 0; k < 3; ++k)
+    {
+      system.vertexBlocks[triangle[k]] += symmetric(sums.pairs[k]);
+      system.weights[triangle[k]] += sums.pairs[k][6];
+      system.slopes[triangle[k]] += Eigen::Map<const Point3>(sums.slopes[k]);
+    }
+  }
+}
+
+/** What they add to the edges' blocks and the triangles' normals. */
+void addToTriangles(const EdgeTable& edges, const StarBlock& block, FitSystem& system)
 {
   for (std::size_t s = 0; s < block.triangles.size(); ++s)
   {
@@ -59,14 +75,25 @@ void addBlock(const PlacementProblem& problem, const EdgeTable& edges, const Sta
     const TriangleSums& sums = block.sums[s];
     for (int k = 0; k < 3; ++k)
     {
-      const Index vertex = problem.triangles[t][k];
-      system.vertexBlocks[vertex] += symmetric(sums.pairs[k]);
-      system.weights[vertex] += sums.pairs[k][6];
       system.edgeBlocks[edges.facetEdges[t][k]] += symmetric(sums.pairs[3 + k]).cast<float>();
-      system.slopes[vertex] += Eigen::Map<const Point3>(sums.slopes[k]);
       system.triangleNormals[t] += Eigen::Map<const Point3>(sums.slopes[k] + 3);
     }
   }
+}
+
+/** The sums of the first blocks of a group, each kind in the order of the blocks. */
+bool addGroup(const PlacementProblem& problem, const EdgeTable& edges, Offset blocks,
+  const RunControl& control, FitSystem& system)
+{
+  return forEachBlock(2, control.silent(),
+    [&](Offset kind)
+    {
+      for (Offset block = 0; block < blocks; ++block)
+      {
+        const StarBlock& sums = system.blockSums[block];
+        kind == 0 ? addToVertices(problem, sums, system) : addToTriangles(edges, sums, system);
+      }
+    });
 }
 
 template <class Real>
@@ -223,18 +250,16 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
   ScratchPool<StarFit> pool(
     [&]() { return std::make_unique<StarFit>(problem, stars, positions, normals); });
   const Offset count = samples.blocks().count();
-  std::vector<StarBlock> sums(static_cast<std::size_t>(std::min(blocksPerGroup, count)));
+  system.blockSums.resize(static_cast<std::size_t>(std::min(blocksPerGroup, count)));
   for (Offset first = 0; first < count; first += blocksPerGroup)
   {
     const Offset size = std::min(blocksPerGroup, count - first);
     if (!forEachBlock(size, control.silent(),
-          [&](Offset block) { pool.borrow()->sum(samples, first + block, sums[block]); }))
+          [&](Offset block)
+          { pool.borrow()->sum(samples, first + block, system.blockSums[block]); }) ||
+      !addGroup(problem, edges, size, control, system))
     {
       return false;
-    }
-    for (Offset block = 0; block < size; ++block)
-    {
-      addBlock(problem, edges, sums[block], system);
     }
   }
   system.frozen.assign(vertices, 0);

@@ -6,7 +6,7 @@
 #define remesh_FitSystem_h
 
 #include "Mesh/EdgeTable.h"
-#include "Placement/FitSamples.h"
+#include "Placement/StarFit.h"
 #include "Support/ConjugateGradients.h"
 
 #include <Eigen/Core>
@@ -36,6 +36,7 @@ struct FitSystem
   std::vector<double> stiffness; ///< K, of the springs
 
   std::vector<Point3> triangleNormals; ///< T, sum of W n over the samples of each triangle
+  std::vector<StarBlock> blockSums;    ///< scratch, whose memory the next round uses again
 
   struct Link
   {

@@ -68,7 +68,7 @@ void StarFit::enter(Index vertex, StarBlock& block)
     {
       m_entered.push_back(t); // first, in case that memory runs out
       block.triangles.push_back(t);
-      block.sums.push_back({});
+      block.sums.emplace_back();
       m_slots[t] = static_cast<Index>(block.sums.size() - 1);
     }
     const Triple& corners = m_problem.triangles[t];
