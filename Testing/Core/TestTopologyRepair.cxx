@@ -3,6 +3,7 @@
 #include "Delaunay/TopologyRepair.h"
 #include "Embedding/Distance.h"
 #include "Embedding/Embedding.h"
+#include "Features/FeatureGraph.h"
 #include "Remesh.h"
 #include "TestDuals.h"
 
@@ -175,6 +176,99 @@ void testDonorsApart()
   }
 }
 
+/** Spheres apart from each other beside a cube, whose edges are features: closed patches. */
+struct ClosedPatches
+{
+  static constexpr int spheres = 5;
+
+  SurfaceMesh mesh;
+  Features features;
+  EmbeddedSurface surface;
+
+  ClosedPatches()
+    : mesh(test::meshOf(soup()))
+    , features(findFeatures(mesh, FeatureOptions()))
+    , surface(inSpace(mesh))
+  {
+    separatePatches(this->features.facetPatches, this->features.numberOfPatches, this->surface);
+  }
+
+  static TriangleSoup soup()
+  {
+    std::vector<Point3> points;
+    std::vector<std::array<Offset, 3>> triangles;
+    const auto append = [&](const TriangleSoup& part, double x, double size)
+    {
+      const auto first = static_cast<Offset>(points.size());
+      for (const Point3& point : part.points)
+      {
+        points.push_back(size * point + Point3(x, 0.0, 0.0));
+      }
+      for (const auto& [a, b, c] : part.triangles)
+      {
+        triangles.push_back({ first + a, first + b, first + c });
+      }
+    };
+    append(test::cube(), -4.0, 1.0);
+    for (int k = 0; k < spheres; ++k)
+    {
+      append(test::icosphere(2), 4.0 * k, 1.0 / (k + 1.0));
+    }
+    return test::makeSoup(points, triangles);
+  }
+
+  /** The sites of each patch. */
+  std::vector<Index> countSites(const Sites& sites) const
+  {
+    std::vector<Index> counts(static_cast<std::size_t>(this->features.numberOfPatches), 0);
+    for (Index i = 0; i < sites.count(); ++i)
+    {
+      ++counts[this->surface.patches.patchOf(sites.site(i))];
+    }
+    return counts;
+  }
+};
+
+/** However few vertices are wanted, closed patches keep the four sites they cannot do without. */
+void testClosedPatches()
+{
+  const ClosedPatches parts;
+  CHECK_EQUAL(parts.features.numberOfPatches, 6 + parts.spheres);
+  for (const Offset asked : { 4, 30, 40, 60 }) // the cube's corners and edges take some
+  {
+    RemeshOptions options = withSites(asked, 0);
+    options.exactNumber = true;
+    RemeshResult result;
+    CHECK(remesh::remesh(parts.mesh, parts.surface, options, RunControl(), result, &parts.features)
+            .ok());
+    for (const Index count : parts.countSites(result.sites))
+    {
+      CHECK(count >= 4);
+    }
+    for (Offset piece = 0; piece < result.diagram.numberOfPieces(); ++piece)
+    {
+      CHECK_EQUAL(parts.surface.patches.patchOf(result.sites.site(result.diagram.sites[piece])),
+        parts.features.facetPatches[result.diagram.facets[piece]]);
+    }
+    CHECK_EQUAL(result.topology.mesh.components, Offset(1 + parts.spheres));
+  }
+
+  // Neither as donors nor where they are told to go.
+  Sites sites = test::sampled(parts.surface, 2000, 1);
+  const test::Computed computed = test::computed(parts.surface, sites);
+  const test::DualOf made = test::dualOf(parts.mesh, parts.surface, computed);
+  Refinement refinement;
+  refinement.removed.resize(1000);
+  std::iota(refinement.removed.begin(), refinement.removed.end(), Index(500));
+  const Revision revision = reviseSites({ parts.surface, computed.sites, computed.diagram },
+    made.components, made.dual, Certificate(), computed.sums, refinement, 0, 0, sites);
+  CHECK_EQUAL(revision.removed, 2000 - 4 * parts.features.numberOfPatches);
+  for (const Index count : parts.countSites(sites))
+  {
+    CHECK_EQUAL(count, 4);
+  }
+}
+
 /** A site for a triangle comes as far from all three of its sites; none comes to its neighbours. */
 void testRefineTriangles()
 {
@@ -264,6 +358,7 @@ int TestTopologyRepair(int, char*[])
   testSpikes();
   testMovesOnlyDonors();
   testDonorsApart();
+  testClosedPatches();
   testRefineTriangles();
   testExtraPoints();
   testNothingAsked();

@@ -2,6 +2,7 @@
 
 #include "Embedding/CornerReader.h"
 #include "Embedding/Distance.h"
+#include "Features/SpareSites.h"
 #include "Support/SortUnique.h"
 
 #include <algorithm>
@@ -271,11 +272,13 @@ std::vector<char> distancesOfSites(
 /**
  * Takes of these sites, in their order, those that are no neighbours of one taken before, and then
  * others, if there are not enough. Many that go side by side would leave a hole.
+ *
+ * @param spare by which none of these goes that its patch cannot do without.
  */
 std::vector<Index> takeApart(const std::vector<Index>& candidates, const Components& components,
-  const Dual& dual, std::size_t numberOfSites, std::size_t wanted)
+  const Dual& dual, const Sites& sites, std::size_t wanted, SpareSites& spare)
 {
-  std::vector<Index> numbers(numberOfSites, noIndex);
+  std::vector<Index> numbers(static_cast<std::size_t>(sites.count()), noIndex);
   for (std::size_t k = 0; k < candidates.size(); ++k)
   {
     numbers[candidates[k]] = static_cast<Index>(k);
@@ -298,7 +301,7 @@ std::vector<Index> takeApart(const std::vector<Index>& candidates, const Compone
   std::vector<char> waits(candidates.size(), 0);
   for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
   {
-    if (!waits[k])
+    if (!waits[k] && spare.take(sites.site(candidates[k])))
     {
       taken.push_back(candidates[k]);
       for (const Index neighbor : neighbors[k])
@@ -309,7 +312,7 @@ std::vector<Index> takeApart(const std::vector<Index>& candidates, const Compone
   }
   for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
   {
-    if (waits[k])
+    if (waits[k] && spare.take(sites.site(candidates[k])))
     {
       taken.push_back(candidates[k]);
     }
@@ -322,17 +325,17 @@ std::vector<Index> takeApart(const std::vector<Index>& candidates, const Compone
  * no neighbours of each other if there are enough.
  */
 std::vector<Index> findDonors(const Components& components, const Dual& dual,
-  const std::vector<char>& distances, const CellSums& sums, Index fixed, std::size_t wanted)
+  const std::vector<char>& distances, const CellSums& sums, const Sites& sites, std::size_t wanted,
+  SpareSites& spare)
 {
   constexpr std::size_t choice = 8; // of candidates for each: sites have six neighbours
-  const std::vector<char> nearest =
-    distancesOfSites(components, distances, static_cast<Index>(sums.energy.size()));
+  const std::vector<char> nearest = distancesOfSites(components, distances, sites.count());
   std::vector<Index> donors;
-  for (auto i = static_cast<std::size_t>(fixed); i < nearest.size(); ++i)
+  for (Index i = sites.fixed; i < sites.count(); ++i)
   {
-    if (nearest[i] > 0)
+    if (nearest[i] > 0 && spare.has(sites.site(i)))
     {
-      donors.push_back(static_cast<Index>(i));
+      donors.push_back(i);
     }
   }
   const std::size_t count = std::min(choice * wanted, donors.size());
@@ -340,7 +343,7 @@ std::vector<Index> findDonors(const Components& components, const Dual& dual,
   std::partial_sort(donors.begin(), donors.begin() + static_cast<std::ptrdiff_t>(count),
     donors.end(), [&](Index a, Index b) { return key(a) < key(b); });
   donors.resize(count);
-  return takeApart(donors, components, dual, nearest.size(), wanted);
+  return takeApart(donors, components, dual, sites, wanted, spare);
 }
 
 /** Takes sites away; the others keep their order. */
@@ -389,6 +392,11 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   auto& added = refinement.added;
   auto& removed = refinement.removed;
   const auto d = static_cast<std::size_t>(sites.dimension);
+  SpareSites spare(places.surface, sites);
+  sortUnique(removed);
+  removed.erase(std::remove_if(removed.begin(), removed.end(),
+                  [&](Index site) { return !spare.take(sites.site(site)); }),
+    removed.end());
   const Offset surplus = components.count() + static_cast<Offset>(added.size() / d) -
     static_cast<Offset>(removed.size()) - wanted;
   if (surplus < 0)
@@ -399,14 +407,13 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   {
     std::vector<char> distances =
       distancesToFailures(components, dual, failures, sites.count() - addedBefore);
-    sortUnique(removed);
     for (Index k = 0; k < components.count(); ++k) // those that go already are no donors
     {
       const bool goes = std::binary_search(removed.begin(), removed.end(), components.sites[k]);
       distances[k] = goes ? 0 : distances[k];
     }
-    const std::vector<Index> donors =
-      findDonors(components, dual, distances, sums, sites.fixed, static_cast<std::size_t>(surplus));
+    const std::vector<Index> donors = findDonors(
+      components, dual, distances, sums, sites, static_cast<std::size_t>(surplus), spare);
     const std::size_t missing = static_cast<std::size_t>(surplus) - donors.size();
     added.resize(added.size() - std::min(added.size(), missing * d));
     removed.insert(removed.end(), donors.begin(), donors.end());

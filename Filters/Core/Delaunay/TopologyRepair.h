@@ -56,7 +56,8 @@ struct Revision
 /**
  * Adds and takes away these sites, and brings the number of the mesh's vertices to what is wanted:
  * takes away the free sites with the least energy, as far as can be from failures, from where sites
- * were added before and from each other, or adds sites where cells have the most.
+ * were added before and from each other, or adds sites where cells have the most. No patch loses
+ * sites that it cannot do without (SpareSites.h), though there be more vertices than wanted.
  *
  * @param places of the diagram, whose sites these are still.
  * @param refinement the last places are left out where there are not enough sites to take away.

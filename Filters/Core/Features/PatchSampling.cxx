@@ -1,6 +1,7 @@
 #include "Features/PatchSampling.h"
 
 #include "Embedding/Distance.h"
+#include "Features/SpareSites.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace
 {
 constexpr double cellArea = 0.86602540378443864676; // of a hexagon, over the spacing squared
 constexpr double halfRow = 0.43301270189221932338;  // height of a border cell, over the spacing
-constexpr Offset leastClosed = 4;
+constexpr Offset leastClosed = SpareSites::leastOfClosed;
 constexpr int halvings = 60;
 
 /** In lengths as a density scales them. */
