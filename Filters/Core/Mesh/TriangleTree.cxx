@@ -146,6 +146,15 @@ void TriangleTree::visitLeaves(
   }
 }
 
+void TriangleTree::findWithin(const Point3& point, double distance, std::vector<Index>& slots) const
+{
+  slots.clear();
+  const double reach = distance * distance;
+  this->visitLeaves(
+    point, [reach](double squared) { return squared <= reach; },
+    [&](Index slot) { slots.push_back(slot); });
+}
+
 TriangleTree::Place TriangleTree::closestOn(Index slot, const Point3& point) const
 {
   const auto& [a, b, c] = m_corners[slot];

@@ -82,6 +82,12 @@ public:
   void findClosest(
     const Point3& point, const Tolerance& tolerance, Index hint, std::vector<Place>& places) const;
 
+  /**
+   * The slots of all triangles within a distance of a point, and of a few others near them; in no
+   * particular order, but the same whatever the threads. Replaced. From any thread.
+   */
+  void findWithin(const Point3& point, double distance, std::vector<Index>& slots) const;
+
   /** The closest place of one triangle of the tree. */
   Place closestOn(Index slot, const Point3& point) const;
 

@@ -2,6 +2,7 @@
 
 #include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
+#include "Placement/CrossingRepair.h"
 #include "Placement/Quadric.h"
 #include "Placement/Retreat.h"
 #include "Placement/StepLimit.h"
@@ -288,6 +289,28 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   }
   return status;
 }
+
+/** Parts triangles that go through each other, if they are few; flips none for that. */
+Status mendCrossings(const PlacementProblem& problem, const std::vector<SurfaceLocation>& locations,
+  const std::vector<Point3>& start, const RunControl& control, std::vector<Triple>& triangles,
+  Placement& placement)
+{
+  CrossingSearch search(triangles, placement.positions, control);
+  std::vector<std::pair<Index, Index>> pairs;
+  Status status = search.find(control, pairs);
+  if (!status.ok() || pairs.empty() ||
+    static_cast<Offset>(pairs.size()) > mostStrays(static_cast<Offset>(triangles.size())))
+  {
+    return status;
+  }
+  const WholeSurface whole(problem.mesh, control);
+  const NearbySurface surface(problem, leastHeight(problem.mesh), &whole);
+  const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
+  RepairedMesh mesh(problem, surface, start, triangles, placement.positions);
+  repairCrossings(
+    { problem, onSurface, control, true, 0.0 }, pairs, search, mesh, placement.repair);
+  return control.cancelled() ? Status::cancelled() : Status::success();
+}
 }
 
 Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const RunControl& control,
@@ -320,6 +343,10 @@ Status mendPlaces(const PlacementProblem& problem, VertexPlacement way, const Ru
   if (status.ok())
   {
     status = mendStrays(problem, surface, locations, start, control.silent(), triangles, placement);
+  }
+  if (status.ok())
+  {
+    status = mendCrossings(problem, locations, start, control.silent(), triangles, placement);
   }
   if (!status.ok())
   {

@@ -42,7 +42,7 @@ Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const 
  * Turns flipped triangles back (FlipRepair.h): first vertices move, then some retreat to where they
  * come to from the centroids (Retreat.h), then edges turn. Last, moves and turns are tried for
  * triangles that face other parts of the surface the wrong way, where these are closer than their
- * own.
+ * own; and triangles that go through each other are parted (CrossingRepair.h), if they are few.
  *
  * @param problem of its diagram only the pieces' facets are read.
  * @param locations K, the points of the surface closest to the centroids; replaced by those closest

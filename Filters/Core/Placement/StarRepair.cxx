@@ -21,10 +21,10 @@ Point3 meanOf(const std::vector<Index>& vertices, const std::vector<Point3>& pos
   }
   return sum / static_cast<double>(vertices.size());
 }
+}
 
-/** Places for a vertex: around its cell, and between its neighbours. */
-std::vector<Point3> findGoals(
-  const RepairContext& context, Index vertex, RepairedMesh& mesh, bool many)
+std::vector<Point3> placesFor(
+  const RepairContext& context, Index vertex, bool many, RepairedMesh& mesh)
 {
   const Components& components = context.problem.components;
   const std::vector<Point3>& positions = mesh.positions();
@@ -54,6 +54,8 @@ std::vector<Point3> findGoals(
   return goals;
 }
 
+namespace
+{
 /** Moves a vertex to the best of a few or many places; false where its own is. */
 bool moveVertex(const RepairContext& context, Index vertex, bool many, RepairedMesh& mesh)
 {
@@ -67,7 +69,7 @@ bool moveVertex(const RepairContext& context, Index vertex, bool many, RepairedM
   Point3 best = before;
   const double start = mesh.costOfStar(star);
   double least = start;
-  for (const Point3& goal : findGoals(context, vertex, mesh, many))
+  for (const Point3& goal : placesFor(context, vertex, many, mesh))
   {
     if (context.control.cancelled())
     {

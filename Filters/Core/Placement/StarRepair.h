@@ -32,6 +32,10 @@ struct RepairContext
   double gain;
 };
 
+/** Places for a vertex: around its cell, and between its neighbours. */
+std::vector<Point3> placesFor(
+  const RepairContext& context, Index vertex, bool many, RepairedMesh& mesh);
+
 /** Moves the corners of a triangle, then turns its edges, until it is turned back. */
 void mendTriangle(
   const RepairContext& context, Index triangle, RepairedMesh& mesh, FlipRepair& repair);

@@ -1,0 +1,170 @@
+#include "Placement/CrossingSearch.h"
+
+#include "Placement/TriangleShape.h"
+#include "Support/Parallel.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+constexpr double rounding = 1e-13; // of volumes, to the cube of the largest length
+
+/** Six times the volume of a tetrahedron. */
+double volumeBetween(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+{
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+/** Whether a segment passes through the inside of a triangle. */
+bool pierces(const Point3& p, const Point3& q, const Corners& t, double negligible)
+{
+  const double above = volumeBetween(t[0], t[1], t[2], p);
+  const double below = volumeBetween(t[0], t[1], t[2], q);
+  if ((above > 0.0) == (below > 0.0) || !(std::min(std::abs(above), std::abs(below)) > negligible))
+  {
+    return false;
+  }
+  const double u = volumeBetween(p, q, t[0], t[1]);
+  const double v = volumeBetween(p, q, t[1], t[2]);
+  const double w = volumeBetween(p, q, t[2], t[0]);
+  return (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
+}
+
+/** Whether the boxes around two triangles have a point in common. */
+bool boxesMeet(const Corners& s, const Corners& t)
+{
+  const auto lower = [](const Corners& p) { return p[0].cwiseMin(p[1]).cwiseMin(p[2]).eval(); };
+  const auto upper = [](const Corners& p) { return p[0].cwiseMax(p[1]).cwiseMax(p[2]).eval(); };
+  return (lower(s).array() <= upper(t).array()).all() &&
+    (lower(t).array() <= upper(s).array()).all();
+}
+
+double longestEdge(const Corners& p)
+{
+  return std::sqrt(std::max(
+    { (p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm() }));
+}
+
+bool has(const Triple& triangle, Index vertex)
+{
+  return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
+}
+}
+
+bool areCrossing(const Triple& first, const Triple& second, const std::vector<Point3>& positions)
+{
+  const auto common =
+    std::count_if(first.begin(), first.end(), [&](Index vertex) { return has(second, vertex); });
+  if (common > 1)
+  {
+    return false;
+  }
+  const Corners s = cornersOf(first, positions);
+  const Corners t = cornersOf(second, positions);
+  if (!boxesMeet(s, t))
+  {
+    return false;
+  }
+  const double length = std::max(longestEdge(s), longestEdge(t));
+  const double negligible = rounding * length * length * length;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    const bool firstIsFree = !has(second, first[k]) && !has(second, first[next]);
+    const bool secondIsFree = !has(first, second[k]) && !has(first, second[next]);
+    if ((firstIsFree && pierces(s[k], s[next], t, negligible)) ||
+      (secondIsFree && pierces(t[k], t[next], s, negligible)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+CrossingSearch::CrossingSearch(const std::vector<Triple>& triangles,
+  const std::vector<Point3>& positions, const RunControl& control)
+  : m_triangles(triangles)
+  , m_positions(positions)
+  , m_tree({ positions, triangles }, control)
+  , m_hasChanged(triangles.size(), 0)
+{
+}
+
+template <class Visit>
+void CrossingSearch::visitCrossing(
+  Index triangle, std::vector<Index>& slots, const Visit& visit) const
+{
+  const Triple& own = m_triangles[triangle];
+  const auto [a, b, c] = cornersOf(own, m_positions);
+  const Point3 middle = 0.5 * (a.cwiseMin(b).cwiseMin(c) + a.cwiseMax(b).cwiseMax(c));
+  const double radius2 = std::max(
+    { (a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm() });
+  m_tree.findWithin(middle, std::sqrt(radius2) * (1.0 + 1e-12), slots);
+  for (const Index slot : slots)
+  {
+    const Index other = m_tree.triangleOf(slot);
+    if (!m_hasChanged[other] && areCrossing(own, m_triangles[other], m_positions))
+    {
+      visit(other);
+    }
+  }
+  for (const Index other : m_changed)
+  {
+    if (areCrossing(own, m_triangles[other], m_positions))
+    {
+      visit(other);
+    }
+  }
+}
+
+Status CrossingSearch::find(
+  const RunControl& control, std::vector<std::pair<Index, Index>>& pairs) const
+{
+  pairs.clear();
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(m_triangles.size()), 64, 4096);
+  std::vector<std::vector<std::pair<Index, Index>>> found(static_cast<std::size_t>(blocks.count()));
+  const bool done = forEachBlock(blocks.count(), control,
+    [&](Offset block)
+    {
+      std::vector<Index> slots;
+      for (auto t = static_cast<Index>(blocks.begin(block)); t < blocks.end(block); ++t)
+      {
+        this->visitCrossing(t, slots,
+          [&](Index other)
+          {
+            if (t < other)
+            {
+              found[block].emplace_back(t, other);
+            }
+          });
+      }
+    });
+  for (const auto& some : found)
+  {
+    pairs.insert(pairs.end(), some.begin(), some.end());
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return done ? Status::success() : Status::cancelled();
+}
+
+Offset CrossingSearch::count(Index triangle) const
+{
+  Offset crossing = 0;
+  std::vector<Index> slots;
+  this->visitCrossing(triangle, slots, [&](Index) { ++crossing; });
+  return crossing;
+}
+
+void CrossingSearch::setChanged(Index triangle)
+{
+  if (!m_hasChanged[triangle])
+  {
+    m_hasChanged[triangle] = 1;
+    m_changed.push_back(triangle);
+  }
+}
+}

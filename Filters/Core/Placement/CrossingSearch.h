@@ -1,0 +1,63 @@
+/**
+ * @file CrossingSearch.h
+ * @brief Finds triangles of a mesh that go through each other, while a few of them change.
+ */
+#ifndef remesh_CrossingSearch_h
+#define remesh_CrossingSearch_h
+
+#include "Mesh/TriangleTree.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace remesh
+{
+/**
+ * Whether an edge of one triangle passes through the inside of the other. Not of those with a
+ * common edge, and not within a common plane; where they touch, rounding may decide.
+ *
+ * @param first, second ids of the corners, that tell which are common.
+ */
+bool areCrossing(const Triple& first, const Triple& second, const std::vector<Point3>& positions);
+
+/**
+ * Triangles are looked up where they are when the search is made; those that have changed since
+ * must be named, and are tried one by one: these are to be few.
+ */
+class CrossingSearch
+{
+public:
+  /** @param triangles, positions are read in later calls, as they are then. O(T), in parallel. */
+  CrossingSearch(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
+    const RunControl& control);
+
+  /**
+   * All pairs, the lower number first, ascending.
+   *
+   * @return Cancelled; then `pairs` is of no use.
+   * Cost: O(T log T) where triangles are about as large as those nearby; in parallel.
+   */
+  Status find(const RunControl& control, std::vector<std::pair<Index, Index>>& pairs) const;
+
+  /** How many triangles go through this one. */
+  Offset count(Index triangle) const;
+
+  /** The triangle changes now, or from now on. */
+  void setChanged(Index triangle);
+
+private:
+  template <class Visit>
+  void visitCrossing(Index triangle, std::vector<Index>& slots, const Visit& visit) const;
+
+  const std::vector<Triple>& m_triangles;
+  const std::vector<Point3>& m_positions;
+  TriangleTree m_tree;
+  std::vector<char> m_hasChanged; ///< T
+  std::vector<Index> m_changed;
+};
+}
+
+#endif

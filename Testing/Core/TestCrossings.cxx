@@ -1,0 +1,184 @@
+// Triangles that go through each other: found as by definition, and parted where sheets are thin.
+#include "Placement/CrossingRepair.h"
+#include "Placement/FlipSearch.h"
+#include "TestPlacements.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace
+{
+using namespace remesh;
+
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+Pairs crossingsOf(const std::vector<Triple>& triangles, const std::vector<Point3>& positions)
+{
+  Pairs pairs;
+  CHECK(CrossingSearch(triangles, positions, RunControl()).find(RunControl(), pairs).ok());
+  return pairs;
+}
+
+/** A segment through a triangle, next to it, in its plane, and with a common corner. */
+void testPairs()
+{
+  const std::vector<Point3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.2, 0.2, -1 },
+    { 0.2, 0.2, 1 }, { 3, 3, 1 }, { 0.8, 0.8, -1 }, { 0.8, 0.8, 1 }, { 0.3, 0.3, 0 } };
+  const Triple base{ 0, 1, 2 };
+  const auto cross = [&](const Triple& other)
+  {
+    const bool found = areCrossing(base, other, points);
+    CHECK_EQUAL(areCrossing(other, base, points), found);
+    return found;
+  };
+  CHECK(cross({ 3, 4, 5 }));
+  CHECK(!cross({ 6, 7, 5 }));
+  CHECK(!cross({ 8, 5, 7 })); // one corner touches it
+  CHECK(cross({ 0, 3, 4 }));
+  CHECK(cross({ 0, 6, 7 })); // an edge of the first goes through it
+  CHECK(!cross({ 0, 5, 7 }));
+  CHECK(!cross({ 0, 1, 4 }));
+  CHECK(!cross({ 0, 1, 2 }));
+}
+
+/** The tree against all pairs, also after triangles have changed. */
+void testSearch()
+{
+  const TriangleSoup soup = test::torus(1.0, 0.3, 24, 12);
+  std::vector<Triple> triangles;
+  for (const auto& [a, b, c] : soup.triangles)
+  {
+    triangles.push_back({ static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c) });
+  }
+  std::vector<Point3> positions = soup.points;
+  CHECK(crossingsOf(triangles, positions).empty());
+  const auto byDefinition = [&]()
+  {
+    Pairs pairs;
+    for (std::size_t a = 0; a < triangles.size(); ++a)
+    {
+      for (std::size_t b = a + 1; b < triangles.size(); ++b)
+      {
+        if (areCrossing(triangles[a], triangles[b], positions))
+        {
+          pairs.emplace_back(static_cast<Index>(a), static_cast<Index>(b));
+        }
+      }
+    }
+    return pairs;
+  };
+  CrossingSearch search(triangles, positions, RunControl());
+  for (std::size_t v = 0; v < positions.size(); v += 9)
+  {
+    positions[v] *= 0.6;
+  }
+  const Pairs expected = byDefinition();
+  CHECK(expected.size() > 20);
+  CHECK(crossingsOf(triangles, positions) == expected);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (triangles[t][0] % 9 == 0 || triangles[t][1] % 9 == 0 || triangles[t][2] % 9 == 0)
+    {
+      search.setChanged(static_cast<Index>(t));
+    }
+  }
+  Pairs found;
+  CHECK(search.find(RunControl(), found).ok());
+  CHECK(found == expected);
+  Offset sum = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    sum += search.count(static_cast<Index>(t));
+  }
+  CHECK_EQUAL(sum, 2 * static_cast<Offset>(expected.size()));
+}
+
+/** A closed band, thin at its rims, that waves up and down. */
+SurfaceMesh thinBand(double thickness)
+{
+  return test::meshOf(test::wrappedGrid(160, 48, true,
+    [=](int i, int j)
+    {
+      const double u = 2.0 * test::pi * i / 160;
+      const double v = 2.0 * test::pi * j / 48;
+      const double ring = 1.0 + 0.06 * std::sin(6.0 * u) + 0.5 * thickness * std::cos(v);
+      return Point3(ring * std::cos(u), ring * std::sin(u), 0.25 * std::sin(v));
+    }));
+}
+
+/** Of the facet closest to a place. */
+Point3 nearestNormal(const SurfaceMesh& mesh, const Point3& place)
+{
+  double least = std::numeric_limits<double>::infinity();
+  Point3 normal = Point3::Zero();
+  for (const auto& [i, j, k] : mesh.facetPoints)
+  {
+    const Point3& a = mesh.points[i];
+    const Point3& b = mesh.points[j];
+    const Point3& c = mesh.points[k];
+    if (const double squared = closestOnTriangle(place, a, b, c).squared; squared < least)
+    {
+      least = squared;
+      normal = facetNormal(a, b, c);
+    }
+  }
+  return normal;
+}
+
+/** Vertices pushed through the other side of a thin sheet come back, and nothing flips. */
+void testThinBand()
+{
+  constexpr double thickness = 0.02;
+  const SurfaceMesh mesh = thinBand(thickness);
+  const EmbeddedSurface surface = test::gaussMapOf(mesh, 0.02);
+  RemeshResult result = test::remeshed(mesh, 0.02, 500, VertexPlacement::Fit);
+  CHECK(crossingsOf(result.dual.triangles, result.placement.positions).empty());
+  const std::vector<Point3> sound = result.placement.positions;
+  std::vector<char> fixed(result.placement.positions.size(), 0);
+  fixed[0] = 1;
+  const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
+    result.dual.triangles, fixed };
+  const NearbySurface near(problem);
+  for (std::size_t v = 7; v < result.placement.positions.size(); v += 40)
+  {
+    Point3& place = result.placement.positions[v];
+    if (std::abs(place[2]) > 0.12)
+    {
+      continue; // at the rims
+    }
+    const Point3 outward = Point3(place[0], place[1], 0.0).normalized();
+    const double side = outward.dot(nearestNormal(mesh, place)) > 0.0 ? 1.0 : -1.0;
+    place -= 1.25 * side * thickness * outward;
+  }
+  const std::vector<Point3> pushed = result.placement.positions;
+  CHECK(crossingsOf(result.dual.triangles, pushed).size() > 20);
+  const double far = test::rmsDistance(mesh, result, 50);
+  std::vector<Index> flipped;
+  CHECK(FlipSearch(near).find(result.dual.triangles, pushed, RunControl(), flipped).ok());
+  CHECK(flipped.empty());
+  const RunControl control;
+  std::vector<Triple> triangles = result.dual.triangles;
+  std::vector<Point3>& positions = result.placement.positions;
+  CrossingSearch search(triangles, positions, control);
+  RepairedMesh repaired(problem, near, sound, triangles, positions);
+  FlipRepair repair;
+  repairCrossings({ problem, sound, control, true, 0.0 }, crossingsOf(triangles, positions), search,
+    repaired, repair);
+  CHECK(repair.movedVertices > 0);
+  CHECK(crossingsOf(triangles, positions).empty());
+  CHECK(FlipSearch(near).find(triangles, positions, control, flipped).ok());
+  CHECK(flipped.empty());
+  CHECK(positions[0] == pushed[0]);
+  result.dual.triangles = triangles;
+  CHECK(test::rmsDistance(mesh, result, 50) < far);
+}
+}
+
+int TestCrossings(int, char*[])
+{
+  testPairs();
+  testSearch();
+  testThinBand();
+  return test::result();
+}
