@@ -12,8 +12,14 @@ namespace
 // With fewer, the triangles come closer to the samples than to what is between.
 constexpr int samplesPerVertex = 40;
 constexpr int coarseSamples = 18; // in all but the last rounds
-constexpr int rounds = 10;
-constexpr int fineRounds = 4;
+constexpr int rounds = 8;
+constexpr int fineRounds = 2;
+/**
+ * How far the first rounds go along their displacements: feet that slide in their triangles come
+ * along a round late. Rounds at the full step end what longer ones overshoot.
+ */
+constexpr double relaxation = 1.6;
+constexpr int fullRounds = 3;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
 }
 
@@ -41,11 +47,12 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
     {
       return Status::cancelled();
     }
+    const double step = round + fullRounds < rounds ? relaxation : 1.0;
     std::vector<Point3> goals(positions.size());
     for (std::size_t v = 0; v < goals.size(); ++v)
     {
       const bool moves = !system.frozen[v] && displacements[v].allFinite();
-      goals[v] = moves ? Point3(positions[v] + displacements[v]) : positions[v];
+      goals[v] = moves ? Point3(positions[v] + step * displacements[v]) : positions[v];
     }
     if (!limitSteps(problem, stars, { shapes, system.triangleNormals }, positions, control, goals))
     {
