@@ -145,12 +145,13 @@ void checkShortage(const PlacementProblem& problem, const std::vector<Point3>& p
   {
     normals.push_back(facetNormal(positions[i], positions[j], positions[k]));
   }
-  FitSamples samples(problem, samplesPerVertex);
   StarBlock expected;
-  StarFit(problem, stars, positions, normals).sum(samples, 0, expected);
+  FitSamples whole(problem, samplesPerVertex);
+  StarFit(problem, stars, positions, normals).sum(whole, 0, expected);
   int shortages = 0;
   for (bool failed = true; failed; ++shortages)
   {
+    FitSamples samples(problem, samplesPerVertex);
     StarFit fit(problem, stars, positions, normals);
     StarBlock block;
     failed = false;

@@ -50,17 +50,18 @@ FitSamples::FitSamples(const PlacementProblem& problem, int samples, double most
 
 const SampleBlock& FitSamples::of(Offset block, SampleBlock& scratch)
 {
-  SampleBlock& made = m_kept.empty() ? scratch : m_kept[static_cast<std::size_t>(block)];
   if (m_kept.empty())
   {
-    this->make(block, made);
+    this->make(block, scratch);
+    return scratch;
   }
-  else if (made.begins.empty())
+  SampleBlock& kept = m_kept[static_cast<std::size_t>(block)];
+  if (kept.begins.empty())
   {
-    this->make(block, made);
-    made.groups.shrink_to_fit();
+    this->make(block, scratch); // whose memory is there already
+    kept = SampleBlock(scratch); // as a whole, or if memory runs out not at all
   }
-  return made;
+  return kept;
 }
 
 void FitSamples::make(Offset block, SampleBlock& made) const

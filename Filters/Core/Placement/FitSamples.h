@@ -48,8 +48,8 @@ public:
   double unit() const { return m_unit; }
 
   /**
-   * The samples of a block's vertices: made when first asked for and kept, or made in `scratch`
-   * each time where all would take too much memory. Each block by one thread at a time.
+   * The samples of a block's vertices, made in `scratch`: once, and kept, or each time where all
+   * would take too much memory. Each block by one thread at a time.
    */
   const SampleBlock& of(Offset block, SampleBlock& scratch);
 
