@@ -20,7 +20,7 @@ constexpr int fineRounds = 2;
  */
 constexpr double relaxation = 1.6;
 constexpr int fullRounds = 3;
-constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-3 }; // the next round sees to the rest
+constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-2 }; // the next round sees to the rest
 }
 
 Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& shapes,
