@@ -173,6 +173,35 @@ void testThinBand()
   result.dual.triangles = triangles;
   CHECK(test::rmsDistance(mesh, result, 50) < far);
 }
+
+/** Where the surface goes through itself, no pair is to be parted: two spheres. */
+void testCrossingSurface()
+{
+  TriangleSoup soup = test::icosphere(4);
+  test::append(soup, test::icosphere(4), { 0.9, 0.31, 0.17 });
+  const SurfaceMesh mesh = test::meshOf(soup);
+  const EmbeddedSurface surface = test::gaussMapOf(mesh, 0.02);
+  RemeshResult result = test::remeshed(mesh, 0.02, 300, VertexPlacement::Centroid);
+  const std::vector<char> none;
+  const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
+    result.dual.triangles, none };
+  std::vector<Point3>& positions = result.placement.positions;
+  const auto partable = [&]()
+  {
+    const CrossingSearch search(result.dual.triangles, positions, RunControl());
+    Pairs pairs;
+    CHECK(findPartable(problem, search, result.dual.triangles, RunControl(), pairs).ok());
+    return pairs;
+  };
+  CHECK(crossingsOf(result.dual.triangles, positions).size() > 20);
+  const std::size_t before = partable().size();
+  CHECK(before < crossingsOf(result.dual.triangles, positions).size() / 10);
+  // Far from where they cross, a vertex through its own sphere is to be brought back.
+  const auto leftmost = std::min_element(positions.begin(), positions.end(),
+    [](const Point3& a, const Point3& b) { return a[0] < b[0]; });
+  *leftmost = Point3(0.9, 0.1, 0.1) - *leftmost;
+  CHECK(partable().size() > before + 3);
+}
 }
 
 int TestCrossings(int, char*[])
@@ -180,5 +209,6 @@ int TestCrossings(int, char*[])
   testPairs();
   testSearch();
   testThinBand();
+  testCrossingSurface();
   return test::result();
 }

@@ -297,7 +297,7 @@ Status mendCrossings(const PlacementProblem& problem, const std::vector<SurfaceL
 {
   CrossingSearch search(triangles, placement.positions, control);
   std::vector<std::pair<Index, Index>> pairs;
-  Status status = search.find(control, pairs);
+  Status status = findPartable(problem, search, triangles, control, pairs);
   if (!status.ok() || pairs.empty() ||
     static_cast<Offset>(pairs.size()) > mostStrays(static_cast<Offset>(triangles.size())))
   {
