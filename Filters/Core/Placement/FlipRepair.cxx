@@ -21,6 +21,7 @@ constexpr int mostRings = 3;
 constexpr std::size_t mostUntangled = 2000; // with more flipped triangles, points are too few
 constexpr int mostPasses = 18;
 constexpr double leastGain = 0.02; // in later ones
+constexpr int vainPasses = 3;      // at the last effort, after which nothing has ever helped
 
 std::pair<Index, Index> edgeOf(const Triple& triangle, int k)
 {
@@ -95,6 +96,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   Offset flippedBefore = 0;
   Effort effort = Effort::OwnStars;
   Repaired best; // once steps need only lower deviations
+  int vain = 0;  // passes at the last effort since that
   std::vector<Index> flipped;
   int passes = steps == FlipSteps::Move ? movingPasses : mostPasses;
   for (int pass = 0;; ++pass)
@@ -117,8 +119,11 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
       (best.triangles.empty() || repair.flippedTriangles < best.repair.flippedTriangles))
     {
       best = { triangles, positions, repair };
+      vain = 0;
     }
-    if (repair.flippedTriangles == 0 || pass == passes || effort == Effort::Everything)
+    vain += effort == Effort::KeptAnyway ? 1 : 0;
+    if (repair.flippedTriangles == 0 || pass == passes || effort == Effort::Everything ||
+      vain > vainPasses)
     {
       if (!best.triangles.empty())
       {

@@ -54,7 +54,7 @@ enum class FlipSteps
  * and before where a pass does not halve them.
  *
  * Steps 2 to 5 go from triangle to triangle in order: flipped ones are few. They end when nothing
- * is flipped, or nothing helps.
+ * is flipped, or nothing helps, or has helped in the last few passes.
  *
  * @param surfacePlaces K, the points of the surface closest to the centroids.
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
