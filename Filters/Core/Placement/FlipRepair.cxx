@@ -21,7 +21,7 @@ constexpr int mostRings = 3;
 constexpr std::size_t mostUntangled = 2000; // with more flipped triangles, points are too few
 constexpr int mostPasses = 18;
 constexpr double leastGain = 0.02; // in later ones
-constexpr int vainPasses = 3;      // at the last effort, after which nothing has ever helped
+constexpr int mostVainPasses = 3;  // at the last effort, with many flipped triangles
 
 std::pair<Index, Index> edgeOf(const Triple& triangle, int k)
 {
@@ -122,8 +122,8 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
       vain = 0;
     }
     vain += effort == Effort::KeptAnyway ? 1 : 0;
-    if (repair.flippedTriangles == 0 || pass == passes || effort == Effort::Everything ||
-      vain > vainPasses)
+    const bool isVain = vain > mostVainPasses && repair.flippedTriangles > fewFlipped;
+    if (repair.flippedTriangles == 0 || pass == passes || effort == Effort::Everything || isVain)
     {
       if (!best.triangles.empty())
       {

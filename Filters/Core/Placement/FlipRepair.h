@@ -30,6 +30,9 @@ inline Offset mostFlipped(Offset triangles)
   return std::max<Offset>(100, triangles / 20);
 }
 
+/** With more than these left, less is tried: each costs as much, and points are too few. */
+constexpr Offset fewFlipped = 10;
+
 enum class FlipSteps
 {
   Move,       ///< vertices
@@ -54,7 +57,7 @@ enum class FlipSteps
  * and before where a pass does not halve them.
  *
  * Steps 2 to 5 go from triangle to triangle in order: flipped ones are few. They end when nothing
- * is flipped, or nothing helps, or has helped in the last few passes.
+ * is flipped, or nothing helps; where more than `fewFlipped` are left, nothing has in a few passes.
  *
  * @param surfacePlaces K, the points of the surface closest to the centroids.
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.

@@ -19,8 +19,6 @@ namespace remesh
 {
 namespace
 {
-constexpr Offset mostTriedAgain = 10; // flipped triangles: with more, points are too few
-
 /** With more triangles that face other parts of the surface, of so many, points are too few. */
 Offset mostStrays(Offset triangles)
 {
@@ -207,7 +205,7 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
     status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn, control,
       search, triangles, placement.positions, repair);
   }
-  if (status.ok() && repair.flippedTriangles > 0 && repair.flippedTriangles <= mostTriedAgain)
+  if (status.ok() && repair.flippedTriangles > 0 && repair.flippedTriangles <= fewFlipped)
   {
     const PlacementProblem unturned{ problem.mesh, problem.surface, problem.sites, problem.diagram,
       problem.components, dual, problem.fixed, problem.featureEdges };
