@@ -96,7 +96,7 @@ CrossingSearch::CrossingSearch(const std::vector<Triple>& triangles,
 
 template <class Visit>
 void CrossingSearch::visitCrossing(
-  Index triangle, std::vector<Index>& slots, const Visit& visit) const
+  Index triangle, Index first, std::vector<Index>& slots, const Visit& visit) const
 {
   const Triple& own = m_triangles[triangle];
   const auto [a, b, c] = cornersOf(own, m_positions);
@@ -107,14 +107,14 @@ void CrossingSearch::visitCrossing(
   for (const Index slot : slots)
   {
     const Index other = m_tree.triangleOf(slot);
-    if (!m_hasChanged[other] && areCrossing(own, m_triangles[other], m_positions))
+    if (other >= first && !m_hasChanged[other] && areCrossing(own, m_triangles[other], m_positions))
     {
       visit(other);
     }
   }
   for (const Index other : m_changed)
   {
-    if (areCrossing(own, m_triangles[other], m_positions))
+    if (other >= first && areCrossing(own, m_triangles[other], m_positions))
     {
       visit(other);
     }
@@ -133,14 +133,8 @@ Status CrossingSearch::find(
       std::vector<Index> slots;
       for (auto t = static_cast<Index>(blocks.begin(block)); t < blocks.end(block); ++t)
       {
-        this->visitCrossing(t, slots,
-          [&](Index other)
-          {
-            if (t < other)
-            {
-              found[block].emplace_back(t, other);
-            }
-          });
+        this->visitCrossing(
+          t, t + 1, slots, [&](Index other) { found[block].emplace_back(t, other); });
       }
     });
   for (const auto& some : found)
@@ -155,7 +149,7 @@ Offset CrossingSearch::count(Index triangle) const
 {
   Offset crossing = 0;
   std::vector<Index> slots;
-  this->visitCrossing(triangle, slots, [&](Index) { ++crossing; });
+  this->visitCrossing(triangle, 0, slots, [&](Index) { ++crossing; });
   return crossing;
 }
 
