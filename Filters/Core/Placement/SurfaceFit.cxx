@@ -35,7 +35,8 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
   {
     if (round + fineRounds == rounds)
     {
-      samples.emplace(problem, samplesPerVertex);
+      // For two rounds, keeping these takes as long as making them again.
+      samples.emplace(problem, samplesPerVertex, 0.0);
     }
     if (!assembleFit(problem, stars, edges, positions, shapes, *samples, control, system))
     {

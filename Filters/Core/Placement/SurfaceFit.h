@@ -23,7 +23,7 @@ namespace remesh
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
  * @param positions K, R^3; replaced but at fixed vertices.
  * Cost: O(pieces + 40 K) per round, and the solver's steps, O(K) each. Parallel, deterministic.
- * Memory: the samples of a round, where they take at most 256 MB (FitSamples.h).
+ * Memory: the samples of the first rounds, where they take at most 256 MB (FitSamples.h).
  */
 Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& shapes,
   const RunControl& control, std::vector<Point3>& positions);
