@@ -126,6 +126,17 @@ Point3 nearestNormal(const SurfaceMesh& mesh, const Point3& place)
   return normal;
 }
 
+/** A run parts them with all else that it mends. */
+void testMending(const PlacementProblem& problem, const RemeshResult& result)
+{
+  std::vector<SurfaceLocation> locations = result.locations;
+  std::vector<Triple> triangles = result.dual.triangles;
+  Placement placement = result.placement;
+  CHECK(
+    mendPlaces(problem, VertexPlacement::Fit, RunControl(), locations, triangles, placement).ok());
+  CHECK(crossingsOf(triangles, placement.positions).empty());
+}
+
 /** Vertices pushed through the other side of a thin sheet come back, and nothing flips. */
 void testThinBand()
 {
@@ -153,6 +164,7 @@ void testThinBand()
   }
   const std::vector<Point3> pushed = result.placement.positions;
   CHECK(crossingsOf(result.dual.triangles, pushed).size() > 20);
+  testMending(problem, result);
   const double far = test::rmsDistance(mesh, result, 50);
   std::vector<Index> flipped;
   CHECK(FlipSearch(near).find(result.dual.triangles, pushed, RunControl(), flipped).ok());
