@@ -1,7 +1,8 @@
 #!/bin/sh
 # run.sh [release] [paraview] [asan]: installs what is needed, builds and tests; default all three.
 #   release   Debian's VTK, -Wall -Wextra -Werror        -> build/
-#   paraview  Debian's ParaView, with the plugin         -> build-paraview/
+#   paraview  Debian's ParaView, with the plugin,        -> build-paraview/
+#             but for the core's tests and fuzzers
 #   asan      Address- and UndefinedBehaviorSanitizer    -> build-asan/
 # The last line sums up: N passed, N failed, N skipped. A build that fails counts as one failure.
 cd "$(dirname "$0")/.." || exit 1

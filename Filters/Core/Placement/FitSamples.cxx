@@ -58,7 +58,7 @@ const SampleBlock& FitSamples::of(Offset block, SampleBlock& scratch)
   SampleBlock& kept = m_kept[static_cast<std::size_t>(block)];
   if (kept.begins.empty())
   {
-    this->make(block, scratch); // whose memory is there already
+    this->make(block, scratch);  // whose memory is there already
     kept = SampleBlock(scratch); // as a whole, or if memory runs out not at all
   }
   return kept;

@@ -16,13 +16,14 @@ namespace remesh
  *
  * Rounds of: tie samples of the surface to their closest points on the mesh; solve for the
  * displacements that minimise the squared distances of those points from the samples' planes; go
- * as far as no triangle turns or collapses (StepLimit.h). Vertices on a surface lie on one side of
- * it where it bends; fitted ones share the error out to both sides, which on a convex surface
- * makes it a quarter.
+ * there, or in the first rounds beyond (over-relaxation), as far as no triangle turns or collapses
+ * (StepLimit.h). Vertices on a surface lie on one side of it where it bends; fitted ones share the
+ * error out to both sides, which on a convex surface makes it a quarter.
  *
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
  * @param positions K, R^3; replaced but at fixed vertices.
- * Cost: O(pieces + 40 K) per round, and the solver's steps, O(K) each. Parallel, deterministic.
+ * Cost: O(pieces + 40 K) per round at most, and the solver's steps, O(K) each. Parallel,
+ * deterministic.
  * Memory: the samples of the first rounds, where they take at most 256 MB (FitSamples.h).
  */
 Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& shapes,
