@@ -169,28 +169,21 @@ std::vector<Index> facetsOf(const PlacementProblem& problem, const Triple& trian
   return facets;
 }
 
-using Box = Eigen::AlignedBox3d;
-
-Box boxAround(const PlacementProblem& problem, Index facet)
+Eigen::AlignedBox3d boxOf(const PlacementProblem& problem, Index facet)
 {
-  Box box;
-  for (int k = 0; k < 3; ++k)
-  {
-    box.extend(problem.facetPoint(facet, k));
-  }
-  return box;
+  return boxAround(cornersOf(problem.mesh.facetPoints[facet], problem.mesh.points));
 }
 
 /** Leaves those whose boxes meet that of all the others. */
 void leaveThoseNear(
   const PlacementProblem& problem, const std::vector<Index>& others, std::vector<Index>& facets)
 {
-  Box box;
+  Eigen::AlignedBox3d box;
   for (const Index facet : others)
   {
-    box.extend(boxAround(problem, facet));
+    box.extend(boxOf(problem, facet));
   }
-  const auto isAway = [&](Index facet) { return !boxAround(problem, facet).intersects(box); };
+  const auto isAway = [&](Index facet) { return !boxOf(problem, facet).intersects(box); };
   facets.erase(std::remove_if(facets.begin(), facets.end(), isAway), facets.end());
 }
 

@@ -3,8 +3,6 @@
 #include "Placement/TriangleShape.h"
 #include "Support/Parallel.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 namespace remesh
@@ -34,15 +32,6 @@ bool pierces(const Point3& p, const Point3& q, const Corners& t, double negligib
   return (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
 }
 
-/** Whether the boxes around two triangles have a point in common. */
-bool boxesMeet(const Corners& s, const Corners& t)
-{
-  const auto lower = [](const Corners& p) { return p[0].cwiseMin(p[1]).cwiseMin(p[2]).eval(); };
-  const auto upper = [](const Corners& p) { return p[0].cwiseMax(p[1]).cwiseMax(p[2]).eval(); };
-  return (lower(s).array() <= upper(t).array()).all() &&
-    (lower(t).array() <= upper(s).array()).all();
-}
-
 double longestEdge(const Corners& p)
 {
   return std::sqrt(std::max(
@@ -65,7 +54,7 @@ bool areCrossing(const Triple& first, const Triple& second, const std::vector<Po
   }
   const Corners s = cornersOf(first, positions);
   const Corners t = cornersOf(second, positions);
-  if (!boxesMeet(s, t))
+  if (!boxAround(s).intersects(boxAround(t)))
   {
     return false;
   }
@@ -99,8 +88,9 @@ void CrossingSearch::visitCrossing(
   Index triangle, Index first, std::vector<Index>& slots, const Visit& visit) const
 {
   const Triple& own = m_triangles[triangle];
-  const auto [a, b, c] = cornersOf(own, m_positions);
-  const Point3 middle = 0.5 * (a.cwiseMin(b).cwiseMin(c) + a.cwiseMax(b).cwiseMax(c));
+  const Corners corners = cornersOf(own, m_positions);
+  const auto& [a, b, c] = corners;
+  const Point3 middle = boxAround(corners).center();
   const double radius2 = std::max(
     { (a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm() });
   m_tree.findWithin(middle, std::sqrt(radius2) * (1.0 + 1e-12), slots);

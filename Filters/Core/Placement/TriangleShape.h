@@ -59,6 +59,11 @@ inline Corners cornersOf(const Triple& triangle, const std::vector<Point3>& posi
   return { positions[triangle[0]], positions[triangle[1]], positions[triangle[2]] };
 }
 
+inline Eigen::AlignedBox3d boxAround(const Corners& p)
+{
+  return Eigen::AlignedBox3d(p[0]).extend(p[1]).extend(p[2]);
+}
+
 /** T, of length 1; zero without area. */
 inline std::vector<Point3> normalsOf(
   const std::vector<Triple>& triangles, const std::vector<Point3>& positions)
