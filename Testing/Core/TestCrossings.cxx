@@ -1,6 +1,7 @@
 // Triangles that go through each other: found as by definition, and parted where sheets are thin.
 #include "Placement/CrossingRepair.h"
 #include "Placement/FlipSearch.h"
+#include "Placement/PartableCrossings.h"
 #include "TestPlacements.h"
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
 #include "Placement/CrossingRepair.h"
+#include "Placement/PartableCrossings.h"
 #include "Placement/Quadric.h"
 #include "Placement/Retreat.h"
 #include "Placement/StepLimit.h"

@@ -1,0 +1,36 @@
+/**
+ * @file PartableCrossings.h
+ * @brief Which triangles that go through each other can be parted.
+ *
+ * Where the surface goes through itself, so must the mesh: to part its triangles takes hundreds of
+ * tries, in vain.
+ */
+#ifndef remesh_PartableCrossings_h
+#define remesh_PartableCrossings_h
+
+#include "Placement/CrossingSearch.h"
+#include "Placement/PlacementProblem.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+
+#include <utility>
+#include <vector>
+
+namespace remesh
+{
+/**
+ * Finds the pairs that can be parted: those where no facet that the cells of the one triangle meet
+ * goes through one that the cells of the other meet.
+ *
+ * @param search of the same triangles.
+ * @param pairs the lower number first, ascending. Replaced.
+ * @return Cancelled; then `pairs` is of no use.
+ * Deterministic. Cost: that of the search, and for each pair of crossing triangles the product of
+ * the numbers of facets of their cells at most, less those whose boxes are apart; in parallel.
+ */
+Status findPartable(const PlacementProblem& problem, const CrossingSearch& search,
+  const std::vector<Triple>& triangles, const RunControl& control,
+  std::vector<std::pair<Index, Index>>& pairs);
+}
+
+#endif
