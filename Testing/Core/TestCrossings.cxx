@@ -2,8 +2,10 @@
 #include "Placement/CrossingRepair.h"
 #include "Placement/FlipSearch.h"
 #include "Placement/PartableCrossings.h"
+#include "Support/Random.h"
 #include "TestPlacements.h"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,6 +15,8 @@ namespace
 using namespace remesh;
 
 using Pairs = std::vector<std::pair<Index, Index>>;
+
+constexpr Offset noLimit = std::numeric_limits<Offset>::max();
 
 Pairs crossingsOf(const std::vector<Triple>& triangles, const std::vector<Point3>& positions)
 {
@@ -203,7 +207,7 @@ void testCrossingSurface()
   {
     const CrossingSearch search(result.dual.triangles, positions, RunControl());
     Pairs pairs;
-    CHECK(findPartable(problem, search, result.dual.triangles, RunControl(), pairs).ok());
+    CHECK(findPartable(problem, search, result.dual.triangles, noLimit, RunControl(), pairs).ok());
     return pairs;
   };
   CHECK(crossingsOf(result.dual.triangles, positions).size() > 20);
@@ -215,6 +219,67 @@ void testCrossingSurface()
   *leftmost = Point3(0.9, 0.1, 0.1) - *leftmost;
   CHECK(partable().size() > before + 3);
 }
+
+/** A torus whose vertices are anywhere near: triangles cross, but the surface does not. */
+struct ShakenTorus
+{
+  SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.3, 60, 25));
+  EmbeddedSurface surface = test::gaussMapOf(mesh, 0.05);
+  RemeshResult result = test::remeshed(mesh, 0.05, 300, VertexPlacement::Centroid);
+  std::vector<char> none;
+  PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
+    result.dual.triangles, none };
+
+  ShakenTorus()
+  {
+    std::vector<Point3>& positions = this->result.placement.positions;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        positions[v][k] += 0.8 * (uniform01(4, v, k) - 0.5);
+      }
+    }
+  }
+
+  /** @param asked counts how often the work could have been cancelled: how much there was. */
+  Pairs partable(Offset most, Schedule schedule, int& asked) const
+  {
+    std::atomic<int> count(0);
+    RunControl control(nullptr, [&]() { return ++count < 0; });
+    control.schedule = schedule;
+    const std::vector<Triple>& triangles = this->result.dual.triangles;
+    const CrossingSearch search(triangles, this->result.placement.positions, RunControl());
+    Pairs pairs;
+    CHECK(findPartable(this->problem, search, triangles, most, control, pairs).ok());
+    asked = count;
+    return pairs;
+  }
+};
+
+/** Where more pairs can be parted than are of use, the first; others are not even tried. */
+void testLimit()
+{
+  const ShakenTorus torus;
+  int askedForAll = 0;
+  const Pairs all = torus.partable(noLimit, Schedule::Smp, askedForAll);
+  CHECK(all.size() > 1000);
+  CHECK(all == crossingsOf(torus.result.dual.triangles, torus.result.placement.positions));
+  const auto count = static_cast<Offset>(all.size());
+  for (const Schedule schedule :
+    { Schedule::Smp, Schedule::ShuffledBlocks, Schedule::EightThreads })
+  {
+    int asked = 0;
+    for (const Offset most : { Offset(0), Offset(127), Offset(128), Offset(300) })
+    {
+      CHECK(torus.partable(most, schedule, asked) == Pairs(all.begin(), all.begin() + most + 1));
+      CHECK(asked < askedForAll);
+    }
+    CHECK(torus.partable(count - 1, schedule, asked) == all);
+    CHECK(torus.partable(count, schedule, asked) == all);
+    CHECK_EQUAL(asked, askedForAll);
+  }
+}
 }
 
 int TestCrossings(int, char*[])
@@ -223,5 +288,6 @@ int TestCrossings(int, char*[])
   testSearch();
   testThinBand();
   testCrossingSurface();
+  testLimit();
   return test::result();
 }

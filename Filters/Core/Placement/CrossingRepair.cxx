@@ -14,6 +14,7 @@ namespace remesh
 namespace
 {
 constexpr int mostPasses = 4;
+constexpr Offset noLimit = std::numeric_limits<Offset>::max(); // to pairs left: few were given
 constexpr double gapWeight = 10.0; // of the distance from the surface, to that of a neighbour
 constexpr double mostGap = 0.02;   // more distance from the surface, likewise
 constexpr double beyond = 1.25;    // of the way to the other triangle's plane
@@ -196,7 +197,9 @@ void repairCrossings(const RepairContext& context,
       done += part(context, a, b, search, mesh, repair);
     }
     if (done == 0 ||
-      !findPartable(context.problem, search, mesh.triangles(), context.control.silent(), left).ok())
+      !findPartable(
+        context.problem, search, mesh.triangles(), noLimit, context.control.silent(), left)
+         .ok())
     {
       return;
     }

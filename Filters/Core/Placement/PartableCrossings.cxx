@@ -12,6 +12,8 @@ namespace remesh
 {
 namespace
 {
+constexpr Offset pairsAtOnce = 128; // so many are tried in parallel before they are counted
+
 /** The facets that the cells of a triangle's corners meet, ascending. */
 std::vector<Index> facetsOf(const PlacementProblem& problem, const Triple& triangle)
 {
@@ -61,32 +63,55 @@ bool surfaceCrosses(const PlacementProblem& problem, const Triple& first, const 
         [&](Index b) { return areCrossing(facets[a], facets[b], problem.mesh.points); });
     });
 }
+
+/** Appends those of some pairs that can be parted; false when cancelled. */
+bool appendPartable(const PlacementProblem& problem,
+  const std::vector<std::pair<Index, Index>>& some, const std::vector<Triple>& triangles,
+  const RunControl& control, std::vector<std::pair<Index, Index>>& pairs)
+{
+  std::vector<char> stays(some.size(), 0);
+  const bool done = forEachBlock(static_cast<Offset>(some.size()), control.silent(),
+    [&](Offset k)
+    {
+      const auto& [a, b] = some[k];
+      stays[k] = surfaceCrosses(problem, triangles[a], triangles[b]);
+    });
+  for (std::size_t k = 0; k < some.size(); ++k)
+  {
+    if (!stays[k])
+    {
+      pairs.push_back(some[k]);
+    }
+  }
+  return done;
+}
 }
 
 Status findPartable(const PlacementProblem& problem, const CrossingSearch& search,
-  const std::vector<Triple>& triangles, const RunControl& control,
+  const std::vector<Triple>& triangles, Offset most, const RunControl& control,
   std::vector<std::pair<Index, Index>>& pairs)
 {
+  pairs.clear();
   std::vector<std::pair<Index, Index>> found;
   if (Status status = search.find(control, found); !status.ok())
   {
     return status;
   }
-  std::vector<char> stays(found.size(), 0);
-  const bool done = forEachBlock(static_cast<Offset>(found.size()), control.silent(),
-    [&](Offset k)
-    {
-      const auto& [a, b] = found[k];
-      stays[k] = surfaceCrosses(problem, triangles[a], triangles[b]);
-    });
-  pairs.clear();
-  for (std::size_t k = 0; k < found.size(); ++k)
+  const Blocks groups{ static_cast<Offset>(found.size()), pairsAtOnce };
+  for (Offset group = 0; group < groups.count(); ++group)
   {
-    if (!stays[k])
+    const std::vector<std::pair<Index, Index>> some(
+      found.begin() + groups.begin(group), found.begin() + groups.end(group));
+    if (!appendPartable(problem, some, triangles, control, pairs))
     {
-      pairs.push_back(found[k]);
+      return Status::cancelled();
+    }
+    if (static_cast<Offset>(pairs.size()) > most)
+    {
+      pairs.resize(static_cast<std::size_t>(most) + 1);
+      break;
     }
   }
-  return done ? Status::success() : Status::cancelled();
+  return Status::success();
 }
 }

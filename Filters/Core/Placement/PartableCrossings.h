@@ -23,13 +23,15 @@ namespace remesh
  * goes through one that the cells of the other meet.
  *
  * @param search of the same triangles.
- * @param pairs the lower number first, ascending. Replaced.
+ * @param most with more pairs than this there is no use in any: the search ends.
+ * @param pairs the lower number first, ascending: all of them, or the first `most` + 1. Replaced.
  * @return Cancelled; then `pairs` is of no use.
  * Deterministic. Cost: that of the search, and for each pair of crossing triangles the product of
- * the numbers of facets of their cells at most, less those whose boxes are apart; in parallel.
+ * the numbers of facets of their cells at most, less those whose boxes are apart; in parallel. Of
+ * pairs that can be parted, about a hundred more than `most` are tried, however many there are.
  */
 Status findPartable(const PlacementProblem& problem, const CrossingSearch& search,
-  const std::vector<Triple>& triangles, const RunControl& control,
+  const std::vector<Triple>& triangles, Offset most, const RunControl& control,
   std::vector<std::pair<Index, Index>>& pairs);
 }
 

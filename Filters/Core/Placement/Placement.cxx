@@ -298,9 +298,9 @@ Status mendCrossings(const PlacementProblem& problem, const std::vector<SurfaceL
 {
   CrossingSearch search(triangles, placement.positions, control);
   std::vector<std::pair<Index, Index>> pairs;
-  Status status = findPartable(problem, search, triangles, control, pairs);
-  if (!status.ok() || pairs.empty() ||
-    static_cast<Offset>(pairs.size()) > mostStrays(static_cast<Offset>(triangles.size())))
+  const Offset most = mostStrays(static_cast<Offset>(triangles.size()));
+  Status status = findPartable(problem, search, triangles, most, control, pairs);
+  if (!status.ok() || pairs.empty() || static_cast<Offset>(pairs.size()) > most)
   {
     return status;
   }
