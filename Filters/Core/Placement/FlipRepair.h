@@ -51,13 +51,14 @@ enum class FlipSteps
  *    steps need only lower what the triangles deviate from the surface's normals. Those around it
  *    are undone if the triangle stays flipped, until all else has been tried; and all of them since
  *    the number of flipped triangles last fell.
- * 6. Turns edges back where that flips nothing.
+ * 6. Turns edges back where that flips nothing (TurnedEdges.h).
  *
  * Without turned edges, it ends after step 3; so it does where more than `mostFlipped` are left,
  * and before where a pass does not halve them.
  *
  * Steps 2 to 5 go from triangle to triangle in order: flipped ones are few. They end when nothing
- * is flipped, or nothing helps; where more than `fewFlipped` are left, nothing has in a few passes.
+ * is flipped, or nothing helps (FlipPasses.h); where more than `fewFlipped` are left, nothing has
+ * in a few passes.
  *
  * @param surfacePlaces K, the points of the surface closest to the centroids.
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
