@@ -18,14 +18,9 @@ namespace remesh
  * Reads polygons of any size and triangle strips; vertices and lines are left out. Point ids are
  * the input's; a triangle's cell id is that of vtkPolyData (vertices, lines, polygons, strips).
  *
- * - A quadrilateral is cut along its shorter diagonal (a tie: the one of its first point), unless
- *   that diagonal lies outside or on the border (the two triangles oppose each other, or one has
- *   no area) and the other does not.
- * - Larger polygons are cut by vtkPolygon, or by clipEars where vtkPolygon gives up, as it does
- *   on holes with bridges to them. One that crosses itself becomes a fan, and a warning tells.
- * - Repeated consecutive points of a polygon count once. A polygon that has one or two points left
- *   is handed on as one degenerate triangle, which the intake then counts and drops; one without
- *   points is skipped.
+ * - Polygons are cut as PolygonTriangulator says; a warning counts those that it could not cut.
+ * - The degenerate triangle that a polygon of one or two points becomes is handed on: the intake
+ *   counts and drops it.
  * - Cells marked as duplicate, refined or hidden in the input's ghost array are left out.
  *
  * @param input any point type; coordinates are converted to double, and not looked at.
