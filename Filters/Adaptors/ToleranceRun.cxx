@@ -4,6 +4,7 @@
 #include "MeshDistance.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace remesh
@@ -13,10 +14,13 @@ namespace
 constexpr Offset pilotPoints = 2000;
 constexpr int pilotIterations = 10;
 constexpr Offset roughSamples = 20000;
-constexpr Offset mostParts = 200000; // for the bound that is reported
-constexpr int mostDescents = 3;
+constexpr Offset mostParts = 200000;    // for the bound that is reported
+constexpr int mostRuns = 4;             // whole ones, before refinement
+constexpr double enough = 0.95;         // of the points that features ask for
 constexpr double wellWithin = 0.8;      // of the tolerance: fewer points will do
 constexpr double fewestAtOnce = 0.3;    // of the points, in one descent
+constexpr Offset mostGrowth = 4;        // of the points, in refinement where creases are left out
+constexpr int mostSearches = 4;         // with ever more creases
 constexpr double leastTolerance = 1e-7; // of the diagonal: single precision
 
 /** The whole run, with one number of points after the other. */
@@ -27,6 +31,15 @@ struct ToleranceRun
   ToleranceOptions tolerance;
   bool extraIsOnePercent;
   NumberOutcome& outcome;
+
+  /** Whole runs with fewer points, one after the other. */
+  struct Descent
+  {
+    Offset from = 0;                                   ///< number of points of the run before
+    Index dropped = std::numeric_limits<Index>::max(); ///< its creases
+    bool isOver = false;
+  } descent = {};
+
   PreparedSurface& prepared = outcome.prepared;
   RemeshResult& result = outcome.result;
 
@@ -93,12 +106,47 @@ struct ToleranceRun
     return how;
   }
 
-  /** Whole runs with fewer points, while the last one was well within the tolerance. */
-  Status descend(Offset number, RunControl control)
+  Index droppedCreases() const { return this->features() ? this->features()->droppedEdges : 0; }
+
+  /**
+   * The number for another whole run, or 0: more points while the features take most of them, as
+   * more creases count where points are denser; else fewer, while the last run was well within the
+   * tolerance, but not so few that creases are lost.
+   *
+   * @param share what the last run reached of the tolerance.
+   */
+  Offset numberAfter(double share)
   {
     const Offset least =
       numberForTolerance({ 0, 0.0, this->result.neededFeaturePoints }, this->tolerance);
-    for (int descent = 0;; ++descent)
+    const Offset number = this->request.preparation.numberOfSites;
+    const Index dropped = this->droppedCreases();
+    if (number < enough * least)
+    {
+      this->descent.isOver = true;
+      return least;
+    }
+    if (this->descent.isOver)
+    {
+      return 0;
+    }
+    if (dropped > this->descent.dropped)
+    {
+      this->descent.isOver = true;
+      return this->descent.from;
+    }
+    if (share > wellWithin || number <= least)
+    {
+      return 0;
+    }
+    this->descent = { number, dropped, false };
+    return std::max(least, static_cast<Offset>(std::max(fewestAtOnce, share) * number));
+  }
+
+  Status approach(Offset number, RunControl control)
+  {
+    this->descent = Descent{};
+    for (int run = 0; run < mostRuns && number > 0; ++run)
     {
       control = control.part(0.0, 1.0);
       this->setNumber(number, this->options); // and of what goes on from there
@@ -109,13 +157,46 @@ struct ToleranceRun
       {
         status = this->measure(roughly(), control, distance);
       }
-      const double share = distance.maximum() / this->tolerance.tolerance;
-      if (!status.ok() || descent == mostDescents || share > wellWithin || number <= least)
+      if (!status.ok())
       {
         return status;
       }
-      number = std::max(least, static_cast<Offset>(std::max(fewestAtOnce, share) * number));
+      number = this->numberAfter(distance.maximum() / this->tolerance.tolerance);
       control = control.part(0.7, 1.0);
+    }
+    return Status::success();
+  }
+
+  /**
+   * Whole runs, and refinement from there. Where creases are too small for the points, they are
+   * refined as round ones, which can take many times as many: then again, with that many from the
+   * beginning.
+   */
+  Status search(Offset number, RunControl control, ToleranceOutcome& reached)
+  {
+    const auto numberNow = [this]() { return Offset(this->result.components.count()); };
+    for (int search = 1;; ++search)
+    {
+      Status status = this->approach(number, control.part(0.0, 0.5));
+      const bool isLast = search == mostSearches || this->droppedCreases() == 0;
+      ToleranceOptions limited = this->tolerance;
+      if (!isLast)
+      {
+        limited.mostPoints = std::min(limited.mostPoints, mostGrowth * numberNow());
+      }
+      if (status.ok())
+      {
+        status = refineToTolerance(this->prepared.mesh, this->prepared.surface, this->options,
+          limited, control.part(0.5, 0.9), this->result, this->features(), reached);
+      }
+      if (!status.ok() || isLast || reached == ToleranceOutcome::Kept ||
+        numberNow() >= this->tolerance.mostPoints)
+      {
+        return status;
+      }
+      const Offset doubled = 2 * this->request.preparation.numberOfSites;
+      number = std::min(std::max(numberNow(), doubled), this->tolerance.mostPoints);
+      control = control.part(0.9, 1.0);
     }
   }
 
@@ -185,15 +266,10 @@ Status remeshWithin(const ToleranceRequest& tolerance, NumberRequest request, Re
   }
   run.options.mostCurveError = 0.25 * run.tolerance.tolerance;
   Status status = run.pilot(control.part(0.03, 0.1), number);
-  if (status.ok())
-  {
-    status = run.descend(number, control.part(0.1, 0.6));
-  }
   ToleranceOutcome reached = ToleranceOutcome::Stuck;
   if (status.ok())
   {
-    status = refineToTolerance(prepared.mesh, prepared.surface, run.options, run.tolerance,
-      control.part(0.6, 0.95), outcome.result, run.features(), reached);
+    status = run.search(number, control.part(0.1, 0.95), reached);
   }
   RunControl last = control.part(0.95, 1.0);
   last.enterPhase("Distance", 0.0, 1.0);

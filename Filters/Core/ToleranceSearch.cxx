@@ -19,7 +19,8 @@ namespace
 constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
 constexpr double mostOnFeatures = 0.6;   // of the points, see sampleCurves
 constexpr int settlingSteps = 2;
-constexpr int mostIdleRounds = 6; // without fewer far places than ever before
+constexpr int mostIdleRounds = 6; // without progress
+constexpr double progress = 0.95; // of the least share of cells with a far place so far
 constexpr double tooNear = 0.2;   // to a site, for another one; over the root of its cell's mass
 constexpr double manyTolerances = 3.0; // beyond which a cell gets two sites at once
 
@@ -273,7 +274,7 @@ Status refineToTolerance(const SurfaceMesh& mesh, const EmbeddedSurface& surface
   Search search{ mesh, surface, options, tolerance, features, result,
     TriangleTree(trianglesOf(mesh), control) };
   std::vector<Excess> excess;
-  auto fewest = std::numeric_limits<std::size_t>::max();
+  auto least = std::numeric_limits<double>::infinity(); // share of cells with a far place
   int idle = 0;
   control.enterPhase("Refinement", 0.0, 1.0);
   for (int round = 0;; ++round)
@@ -285,8 +286,10 @@ Status refineToTolerance(const SurfaceMesh& mesh, const EmbeddedSurface& surface
     {
       return status;
     }
-    idle = excess.size() < fewest ? 0 : idle + 1;
-    fewest = std::min(fewest, excess.size());
+    // Their number grows at first: where many more cells are needed, both halves of one are far.
+    const double share = static_cast<double>(excess.size()) / result.components.count();
+    idle = share < progress * least ? 0 : idle + 1;
+    least = std::min(least, share);
     const Offset room = tolerance.mostPoints - result.components.count();
     if (excess.empty() || room <= 0 || idle == mostIdleRounds || round == tolerance.mostRounds)
     {

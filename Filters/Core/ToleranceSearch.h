@@ -4,9 +4,12 @@
  *
  * 1. A pilot run with few points; the mean distance falls as 1 over their number, which gives the
  *    number for which it is a third of the tolerance: then most of the mesh is within it.
- * 2. That run. With nothing beyond the tolerance, further ones with fewer points, until there is.
+ * 2. That run. Further ones: with more points, if features take most of them; with fewer, while
+ *    nothing is beyond the tolerance and no creases are lost.
  * 3. Where the mesh or the surface is beyond (DistanceLimit.h), sites are added, one in each cell;
  *    two Lloyd steps, diagram, dual and placement follow; again until nothing is beyond.
+ * 4. Where that does not end, or takes several times as many points, and there are creases too
+ *    small for the number of step 2: again from there, with so many points.
  *
  * So the points that single places take are put there, and not spread over the whole surface.
  */

@@ -91,6 +91,65 @@ void testBox()
   CHECK(checkKept(polyDataOf(soup), 1e-4) < 100);
 }
 
+/** A unit square with count x count square studs on it, in a grid; each cell a quadrilateral. */
+TriangleSoup studs(int count, double width, double height)
+{
+  std::vector<double> steps{ 0.0 };
+  for (int k = 0; k < count; ++k)
+  {
+    steps.push_back((k + 0.5) / count - 0.5 * width);
+    steps.push_back((k + 0.5) / count + 0.5 * width);
+  }
+  steps.push_back(1.0);
+  TriangleSoup soup;
+  const auto addQuadrilateral =
+    [&](const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+  {
+    const auto first = static_cast<Index>(soup.points.size());
+    soup.points.insert(soup.points.end(), { a, b, c, d });
+    soup.triangles.push_back({ first, first + 1, first + 2 });
+    soup.triangles.push_back({ first, first + 2, first + 3 });
+  };
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i)
+  {
+    for (std::size_t j = 0; j + 1 < steps.size(); ++j)
+    {
+      const double top = i % 2 == 1 && j % 2 == 1 ? height : 0.0;
+      const Point3 corners[4] = { { steps[i], steps[j], 0.0 }, { steps[i + 1], steps[j], 0.0 },
+        { steps[i + 1], steps[j + 1], 0.0 }, { steps[i], steps[j + 1], 0.0 } };
+      const Point3 up(0.0, 0.0, top);
+      addQuadrilateral(corners[0] + up, corners[1] + up, corners[2] + up, corners[3] + up);
+      for (int k = 0; k < 4 && top > 0.0; ++k)
+      {
+        const Point3& from = corners[k];
+        const Point3& to = corners[(k + 1) % 4];
+        addQuadrilateral(from, to, to + up, from + up);
+      }
+    }
+  }
+  return soup;
+}
+
+/** Creases that are too small for the pilot's points, but not for the next run's: a few do, too. */
+void testSmallCreases()
+{
+  const auto input = polyDataOf(studs(16, 0.02, 0.01));
+  // 8 corners a stud, which may take three fifths of the points.
+  CHECK(checkKept(input, 1e-3) < 1.1 * 16 * 16 * 8 / 0.6);
+}
+
+/** Creases too small for any run: at first ever more cells are too large, as they are divided. */
+void testManyRounds()
+{
+  checkKept(polyDataOf(studs(6, 0.1 / 6, 0.06 / 6)), 1.2e-3);
+}
+
+/** Creases that cost far more when they are refined as round ones than points that keep them. */
+void testShallowCreases()
+{
+  checkKept(polyDataOf(studs(8, 0.1 / 8, 0.02 / 8)), 3e-4);
+}
+
 void testAbsolute()
 {
   const auto input = polyDataOf(ellipsoid(4));
@@ -228,6 +287,9 @@ int TestTolerance(int, char*[])
 {
   testSphere();
   testBox();
+  testSmallCreases();
+  testManyRounds();
+  testShallowCreases();
   testAbsolute();
   testNumberDoesNotCount();
   testImpossible();
