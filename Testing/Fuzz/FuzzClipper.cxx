@@ -299,7 +299,13 @@ void checkSurface(const EmbeddedSurface& surface, const Sites& sites)
   FUZZ_CHECK(ownership.update(surface, sites, lists, RunControl()).ok());
   const std::vector<Index>& owners = ownership.owners();
   FacetDecomposition<D> decomposition(surface, sites, lists, owners);
-  FacetIntegration<D> integration(surface, sites, lists, owners, widestInstructionSet());
+  std::vector<Index> centers; // any are right
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    centers.push_back(facet % (sites.count() + 1) - 1);
+  }
+  static_assert(noIndex == -1);
+  FacetIntegration<D> integration(surface, sites, lists, owners, centers, widestInstructionSet());
   for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
   {
     checkFacet<D>(surface, sites, facet, decomposition, integration);

@@ -2,10 +2,46 @@
 
 #include "Support/Lanes.h"
 
+#include <cstddef>
+
 namespace remesh
 {
 namespace
 {
+/** The value of lanes without a site. */
+constexpr double unreachable = 1e100;
+
+struct Packing
+{
+  [[gnu::always_inline]] static inline void run(const BisectorPack& task)
+  {
+    const double* x = task.x;
+    for (int first = task.first; first < task.last; first += lanes)
+    {
+      const double* y[lanes];
+      Lanes squared{};
+      for (int lane = 0; lane < lanes; ++lane)
+      {
+        const bool empty = first + lane >= task.count;
+        y[lane] = empty ? x
+                        : task.coordinates +
+            static_cast<std::ptrdiff_t>(task.sites[first + lane]) * task.dimension;
+        squared[lane] = empty ? unreachable : 0.0;
+      }
+      double* to = task.offsets + first;
+      for (int m = 0; m < task.dimension; ++m, to += task.stride)
+      {
+        const Lanes row = { y[0][m], y[1][m], y[2][m], y[3][m], y[4][m], y[5][m], y[6][m],
+          y[7][m] };
+        const Lanes offsets = row - x[m];
+        store(offsets, to);
+        squared += offsets * offsets;
+      }
+      store(squared, to);
+    }
+  }
+};
+
 struct Evaluation
 {
   [[gnu::always_inline]] static inline void run(const BisectorValues& task)
@@ -55,5 +91,10 @@ struct Evaluation
 BisectorEvaluation bisectorEvaluation(InstructionSet set)
 {
   return CompiledFor<Evaluation, const BisectorValues&>::select(set);
+}
+
+BisectorPacking bisectorPacking(InstructionSet set)
+{
+  return CompiledFor<Packing, const BisectorPack&>::select(set);
 }
 }

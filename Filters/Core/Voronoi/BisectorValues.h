@@ -33,10 +33,30 @@ struct BisectorValues
   std::uint8_t* chosen;
 };
 
+/**
+ * Packs rows for `BisectorValues`: the offsets of the listed sites from x, and the squares of their
+ * lengths. The lanes [first, last), which are whole ones; those from `count` on stand for sites
+ * that win nothing.
+ */
+struct BisectorPack
+{
+  const double* x;
+  const double* coordinates; ///< of all sites, n x d
+  const std::int32_t* sites; ///< count
+  int count;
+  int first;
+  int last;
+  int dimension;
+  int stride;
+  double* offsets; ///< (d + 1) x stride
+};
+
 using BisectorEvaluation = void (*)(const BisectorValues&);
+using BisectorPacking = void (*)(const BisectorPack&);
 
 /** The loop, compiled for a set of instructions; all give the same bits. */
 BisectorEvaluation bisectorEvaluation(InstructionSet set);
+BisectorPacking bisectorPacking(InstructionSet set);
 }
 
 #endif

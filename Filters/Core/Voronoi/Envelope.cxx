@@ -1,9 +1,11 @@
 #include "Voronoi/Envelope.h"
 
-#include "Support/Lanes.h"
+#include "Voronoi/CornerCells.h"
+#include "Voronoi/EnvelopeBuilder.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace remesh
@@ -11,13 +13,9 @@ namespace remesh
 namespace
 {
 constexpr double never = std::numeric_limits<double>::infinity();
-/** So far outside of the facet, or below nothing, rounding has gone wrong. */
-constexpr double mostOutside = 1e-9;
 /** Where two sites come as close to each other, in barycentric coordinates, there is no clear one.
  */
 constexpr double closest = 1e-9;
-/** The value of slots that stand for no site. */
-constexpr double unreachable = 1e100;
 
 /** A border's end that is still without its other end; `left` and `right` of the way inwards. */
 struct OpenEnd
@@ -29,17 +27,13 @@ struct OpenEnd
 };
 
 /** One run of the tracing. */
-struct Tracing
+struct Tracing : EnvelopeBuilder
 {
-  Envelope& envelope;
   OpenEnd open[Envelope::mostVertices];
   int numberOpen = 0;
   alignas(64) double reached[Envelope::mostSites];
 
-  explicit Tracing(Envelope& traced)
-    : envelope(traced)
-  {
-  }
+  using EnvelopeBuilder::EnvelopeBuilder;
 
   /**
    * The site with the least number, or -1 if there is none, or another within `tie` of it. Without
@@ -48,7 +42,7 @@ struct Tracing
   [[gnu::always_inline]] inline int leastOf(const double* numbers, double tie) const
   {
     double least = never;
-    for (int q = 0; q < envelope.padded; q += lanes)
+    for (int q = 0; q < envelope.count; q += lanes)
     {
       const double* n = numbers + q;
       const double low = std::min(std::min(n[0], n[1]), std::min(n[2], n[3]));
@@ -60,54 +54,16 @@ struct Tracing
       return -1;
     }
     const double bound = least + tie;
-    int last = 0;
-    int found = 0;
-    for (int q = 0; q < envelope.padded; ++q)
+    std::uint64_t near = 0;
+    for (int q = 0; q < envelope.count; q += lanes)
     {
-      const int near = numbers[q] <= bound ? 1 : 0;
-      last += near * q;
-      found += near;
+      Lanes lead;
+      LaneBits beyond;
+      load(numbers + q, lead);
+      findNegative(bound - lead, beyond);
+      near |= static_cast<std::uint64_t>(bitsOf(~beyond)) << q;
     }
-    return found == 1 ? last : -1;
-  }
-
-  [[gnu::always_inline]] inline int addVertex(
-    double b0, double b1, double b2, int first, int second, int third)
-  {
-    envelope.vertices[envelope.numberOfVertices] = { { b0, b1, b2 }, { first, second, third } };
-    return envelope.numberOfVertices++;
-  }
-
-  /** The border from a to b, `left` on its left side, adds to both. */
-  [[gnu::always_inline]] inline void addBorder(int a, int b, int left, int right)
-  {
-    const double* p = envelope.vertices[a].b;
-    const double* q = envelope.vertices[b].b;
-    const double cross = p[1] * q[2] - q[1] * p[2];
-    const double terms[6] = { cross, cross * (p[1] + q[1]), cross * (p[2] + q[2]),
-      cross * (p[1] * p[1] + p[1] * q[1] + q[1] * q[1]),
-      cross * (p[1] * q[2] + q[1] * p[2] + 2.0 * (p[1] * p[2] + q[1] * q[2])),
-      cross * (p[2] * p[2] + p[2] * q[2] + q[2] * q[2]) };
-    for (int t = 0; t < 6; ++t)
-    {
-      envelope.moments[left][t] += terms[t];
-      envelope.moments[right][t] -= terms[t];
-    }
-  }
-
-  /** The same for a piece of the facet's edge 1, which has a site on its left alone. */
-  [[gnu::always_inline]] inline void addEdgePiece(double from, double to, int site)
-  {
-    const double cross = to - from;
-    const double p1 = 1.0 - from;
-    const double q1 = 1.0 - to;
-    double* moments = envelope.moments[site];
-    moments[0] += cross;
-    moments[1] += cross * (p1 + q1);
-    moments[2] += cross * (from + to);
-    moments[3] += cross * (p1 * p1 + p1 * q1 + q1 * q1);
-    moments[4] += cross * (p1 * to + q1 * from + 2.0 * (p1 * from + q1 * to));
-    moments[5] += cross * (from * from + from * to + to * to);
+    return (near & (near - 1)) == 0 ? __builtin_ctzll(near) : -1;
   }
 
   /** Step 2: joins the end to its other end, if that is known. */
@@ -137,7 +93,7 @@ struct Tracing
     {
       const double hereK = atK[current];
       const double hereL = atL[current];
-      for (int q = 0; q < envelope.padded; q += lanes)
+      for (int q = 0; q < envelope.count; q += lanes)
       {
         Lanes gapK;
         Lanes gapL;
@@ -160,10 +116,7 @@ struct Tracing
       {
         addEdgePiece(along, crossing, current);
       }
-      double b[3] = { 0.0, 0.0, 0.0 };
-      b[k] = 1.0 - crossing;
-      b[l] = crossing;
-      addEnd(current, next, -1, addVertex(b[0], b[1], b[2], current, next, current));
+      addEnd(current, next, -1, addCrossing(k, l, crossing, current, next));
       along = crossing;
       current = next;
     }
@@ -193,7 +146,7 @@ struct Tracing
     const double here0 = values[0][i];
     const double here1 = values[1][i];
     const double here2 = values[2][i];
-    for (int q = 0; q < envelope.padded; q += lanes)
+    for (int q = 0; q < envelope.count; q += lanes)
     {
       Lanes d0;
       Lanes d1;
@@ -210,7 +163,7 @@ struct Tracing
       findNegative(slope, falling);
       storeChosen(-gap / slope, falling, reached + q);
     }
-    for (int q = envelope.count; q < envelope.padded; ++q)
+    for (int q = envelope.count; q % lanes != 0; ++q)
     {
       reached[q] = never;
     }
@@ -241,114 +194,21 @@ struct Tracing
     return true;
   }
 
-  [[gnu::always_inline]] inline void pad()
-  {
-    envelope.padded = (envelope.count + lanes - 1) / lanes * lanes;
-    for (int q = envelope.count; q < envelope.padded; ++q)
-    {
-      envelope.values[0][q] = envelope.values[1][q] = envelope.values[2][q] = unreachable;
-    }
-    for (int q = 0; q < envelope.count; ++q)
-    {
-      for (double& moment : envelope.moments[q])
-      {
-        moment = 0.0;
-      }
-    }
-  }
-
-  /** From Green's sums to integrals over the facet's area; false where a part is less than none. */
-  [[gnu::always_inline]] inline bool normalize()
-  {
-    for (int q = 0; q < envelope.count; ++q)
-    {
-      double* moments = envelope.moments[q];
-      moments[1] *= 1.0 / 3.0;
-      moments[2] *= 1.0 / 3.0;
-      moments[3] *= 1.0 / 6.0;
-      moments[4] *= 1.0 / 12.0;
-      moments[5] *= 1.0 / 6.0;
-      if (!(moments[0] > -mostOutside))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /**
-   * Two sites: one of them has the corner k alone, and its part is the triangle that their border
-   * cuts off there.
-   */
-  [[gnu::always_inline]] inline bool shareBetweenTwo(const int owners[3])
-  {
-    int k = 0;
-    while (owners[(k + 1) % 3] != owners[(k + 2) % 3])
-    {
-      ++k;
-    }
-    const int single = owners[k];
-    const int l = (k + 1) % 3;
-    const int m = (k + 2) % 3;
-    const double sign = single == 0 ? 1.0 : -1.0; // the lead of the single one, at its corner
-    const double lead = sign * (envelope.values[k][1] - envelope.values[k][0]);
-    const double lagL = sign * (envelope.values[l][0] - envelope.values[l][1]);
-    const double lagM = sign * (envelope.values[m][0] - envelope.values[m][1]);
-    const double alongL = lead / (lead + lagL);
-    const double alongM = lead / (lead + lagM);
-    if (!(lead >= 0.0 && lagL >= 0.0 && lagM >= 0.0 && lead + lagL > 0.0 && lead + lagM > 0.0))
-    {
-      return false;
-    }
-    // Means over the triangle of the barycentric coordinates and their products.
-    double mean[3];
-    double square[3];
-    double product[3]; // of the two coordinates other than the index
-    mean[l] = alongL / 3.0;
-    mean[m] = alongM / 3.0;
-    mean[k] = 1.0 - mean[l] - mean[m];
-    square[l] = alongL * alongL / 6.0;
-    square[m] = alongM * alongM / 6.0;
-    product[k] = alongL * alongM / 12.0;
-    product[m] = mean[l] - square[l] - product[k];
-    product[l] = mean[m] - square[m] - product[k];
-    square[k] = mean[k] - product[l] - product[m];
-    const double fraction = alongL * alongM;
-    const double part[6] = { fraction, fraction * mean[1], fraction * mean[2], fraction * square[1],
-      fraction * product[0], fraction * square[2] };
-    for (const int other : { l, m })
-    {
-      double b[3] = { 0.0, 0.0, 0.0 };
-      b[other] = other == l ? alongL : alongM;
-      b[k] = 1.0 - b[other];
-      addVertex(b[0], b[1], b[2], 0, 1, 0);
-    }
-    const double whole[6] = { 1.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 1.0 / 12.0, 1.0 / 6.0 };
-    for (int t = 0; t < 6; ++t)
-    {
-      envelope.moments[single][t] = part[t];
-      envelope.moments[1 - single][t] = whole[t] - part[t];
-    }
-    return true;
-  }
-
   [[gnu::always_inline]] inline bool run()
   {
-    pad();
-    envelope.numberOfVertices = 0;
-    int owners[3];
+    begin();
+    const int* owners = envelope.owners;
     for (int k = 0; k < 3; ++k)
     {
-      owners[k] = leastOf(envelope.values[k], 0.0);
       if (owners[k] < 0)
       {
         return false; // coincident sites, or a bisector through the corner
       }
       addVertex(k == 0, k == 1, k == 2, owners[k], owners[k], owners[k]);
     }
-    if (envelope.count == 2 && (owners[0] != owners[1] || owners[0] != owners[2]))
+    if (CornerCells(envelope).share(owners))
     {
-      return shareBetweenTwo(owners);
+      return true;
     }
     for (int k = 0; k < 3; ++k)
     {

@@ -23,19 +23,26 @@
 #ifndef remesh_Envelope_h
 #define remesh_Envelope_h
 
-#include "Support/InstructionSet.h"
+#include "Support/Lanes.h"
+
+#include <algorithm>
 
 namespace remesh
 {
 struct Envelope
 {
+  /** The value of slots that stand for no site. */
+  static constexpr double unreachable = 1e100;
   static constexpr int mostSites = 64;
   static constexpr int mostVertices = 3 * mostSites;
 
-  /** The affine functions at the facet's corners; `padded` is the count in whole lanes. */
+  /** The affine functions at the facet's corners, and far above up to whole lanes. */
   int count = 0;
-  int padded = 0;
   alignas(64) double values[3][mostSites];
+
+  /** The slot that is least at each corner; -1 if several are, or none is there. */
+  int owners[3];
+  double least[3];
 
   /**
    * Over each cell's part of the facet, in barycentric coordinates u = b_1, v = b_2: the integrals
@@ -52,12 +59,35 @@ struct Envelope
   int numberOfVertices = 0;
   Vertex vertices[mostVertices];
 
+  /** No site yet. */
+  void clear()
+  {
+    this->count = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      this->owners[k] = -1;
+      this->least[k] = unreachable;
+    }
+  }
+
   /** Adds a site that the facet's cells may need; at most `mostSites`. */
   void add(const double atCorners[3])
   {
+    if (this->count % lanes == 0)
+    {
+      for (double(&row)[mostSites] : this->values)
+      {
+        std::fill_n(row + this->count, lanes, unreachable);
+      }
+    }
     for (int k = 0; k < 3; ++k)
     {
-      this->values[k][this->count] = atCorners[k];
+      const double value = atCorners[k];
+      this->values[k][this->count] = value;
+      this->owners[k] = value < this->least[k] ? this->count
+        : value == this->least[k]              ? -1
+                                               : this->owners[k];
+      this->least[k] = std::min(this->least[k], value);
     }
     ++this->count;
   }

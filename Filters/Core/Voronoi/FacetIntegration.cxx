@@ -11,8 +11,6 @@ namespace remesh
 {
 namespace
 {
-/** The value of lanes without a site. */
-constexpr double unreachable = 1e100;
 /** More coordinates than this, and packing them costs more than it saves. */
 constexpr int mostPackedDimension = 16;
 constexpr int mostRounds = 8;
@@ -20,11 +18,14 @@ constexpr int mostRounds = 8;
 
 template <int D>
 FacetIntegration<D>::FacetIntegration(const EmbeddedSurface& surface, const Sites& sites,
-  const NeighborLists& lists, const std::vector<Index>& owners, InstructionSet instructions)
+  const NeighborLists& lists, const std::vector<Index>& owners, std::vector<Index>& centers,
+  InstructionSet instructions)
   : m_surface(surface)
   , m_sites(sites)
   , m_lists(lists)
   , m_owners(owners)
+  , m_centers(centers)
+  , m_pack(bisectorPacking(instructions))
   , m_evaluate(bisectorEvaluation(instructions))
   , m_trace(envelopeTracing(instructions))
   , m_stride((lists.longest() + lanes - 1) / lanes * lanes)
@@ -33,10 +34,11 @@ FacetIntegration<D>::FacetIntegration(const EmbeddedSurface& surface, const Site
   , m_chosen(static_cast<std::size_t>(m_stride / lanes))
   , m_facetOfSite(static_cast<std::size_t>(sites.count()), noIndex)
 {
-  for (View* view : { &m_views[0], &m_views[1], &m_views[2], &m_cellView })
+  for (View& view : m_views)
   {
-    view->points.resize(3 * static_cast<std::size_t>(surface.dimension));
+    view.points.resize(3 * static_cast<std::size_t>(surface.dimension));
   }
+  m_cellView.points.resize(3 * static_cast<std::size_t>(surface.dimension));
 }
 
 template <int D>
@@ -48,66 +50,58 @@ void FacetIntegration<D>::beginBlock()
   }
 }
 
+/** The first `count` neighbours of a site, packed. */
 template <int D>
-const typename FacetIntegration<D>::Bisectors& FacetIntegration<D>::bisectorsOf(Index site)
+const double* FacetIntegration<D>::bisectorsOf(Index site, Index count)
 {
   Bisectors& pack = m_packs[static_cast<std::size_t>(site) % numberOfPacks];
-  if (pack.site == site)
+  if (pack.site != site)
   {
-    return pack;
+    pack.site = site;
+    pack.packed = 0;
+    pack.offsets.resize(
+      (static_cast<std::size_t>(m_surface.dimension) + 1) * static_cast<std::size_t>(m_stride));
   }
-  const int d = D == Eigen::Dynamic ? m_surface.dimension : D;
-  pack.site = site;
-  pack.offsets.resize((static_cast<std::size_t>(d) + 1) * static_cast<std::size_t>(m_stride));
-  const NeighborList list = m_lists.list(site);
-  const double* x = m_sites.site(site);
-  for (int lane = 0; lane < m_stride; ++lane)
+  const int wanted = (count + lanes - 1) / lanes * lanes;
+  if (pack.packed < wanted)
   {
-    // Lanes without a site stand for one that wins nothing.
-    const bool empty = lane >= list.count;
-    const double* y = empty ? x : m_sites.site(list.sites[lane]);
-    double* to = pack.offsets.data() + lane;
-    double squared = empty ? unreachable : 0.0;
-    for (int m = 0; m < d; ++m, to += m_stride)
-    {
-      const double offset = y[m] - x[m];
-      *to = offset;
-      squared += offset * offset;
-    }
-    *to = squared;
+    const NeighborList list = m_lists.list(site);
+    m_pack({ m_sites.site(site), m_sites.coordinates.data(), list.sites, list.count, pack.packed,
+      wanted, m_surface.dimension, m_stride, pack.offsets.data() });
+    pack.packed = wanted;
   }
-  return pack;
+  return pack.offsets.data();
 }
 
 /** The owners of the corners, the one likely to see the facet best first. */
 template <int D>
-int FacetIntegration<D>::distinctOwners(const Triple& corners, Index owners[3]) const
+typename FacetIntegration<D>::Owners FacetIntegration<D>::distinctOwners(
+  const Triple& corners) const
 {
   const Index all[3] = { m_owners[corners[0]], m_owners[corners[1]], m_owners[corners[2]] };
   for (int k = 0; k < 3; ++k)
   {
-    if (all[(k + 1) % 3] == all[(k + 2) % 3])
+    const Index shared = all[(k + 1) % 3];
+    if (shared == all[(k + 2) % 3])
     {
-      owners[0] = all[(k + 1) % 3];
-      owners[1] = all[k];
-      return owners[0] == owners[1] ? 1 : 2;
+      return { shared == all[k] ? 1 : 2, { shared, all[k], noIndex } };
     }
   }
-  std::copy_n(all, 3, owners);
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k)
   {
-    const double squared = squaredDistance<D>(
-      m_sites.site(owners[k]), m_surface.corner(corners[k]), m_surface.dimension);
+    const double squared =
+      squaredDistance<D>(m_sites.site(all[k]), m_surface.corner(corners[k]), m_surface.dimension);
     if (squared < least)
     {
       best = k;
       least = squared;
     }
   }
-  std::swap(owners[0], owners[best]);
-  return 3;
+  Owners owners{ 3, { all[0], all[1], all[2] } };
+  std::swap(owners.sites[0], owners.sites[best]);
+  return owners;
 }
 
 template <int D>
@@ -146,14 +140,14 @@ template <int D>
 template <class Accept>
 bool FacetIntegration<D>::addNeighbors(const View& view, double farthest, const Accept& accept)
 {
-  const Bisectors& pack = this->bisectorsOf(view.site);
   const NeighborList list = m_lists.list(view.site);
+  // In whole lanes: those that are farther away are below at no corner.
   Index count = 0;
   while (count < list.count && list.distances[count] <= farthest)
   {
-    ++count;
+    count += lanes;
   }
-  double limits[3][3];
+  double limits[mostViews][3];
   for (int w = 0; w < m_numberOfViews; ++w)
   {
     for (int k = 0; k < 3; ++k)
@@ -161,17 +155,13 @@ bool FacetIntegration<D>::addNeighbors(const View& view, double farthest, const 
       limits[w][k] = m_views[w].values[k] - view.values[k];
     }
   }
-  m_evaluate({ pack.offsets.data(), m_stride, count, view.points.data(), m_surface.dimension,
-    limits, m_numberOfViews, m_values.data(), m_chosen.data() });
+  m_evaluate({ this->bisectorsOf(view.site, count), m_stride, count, view.points.data(),
+    m_surface.dimension, limits, m_numberOfViews, m_values.data(), m_chosen.data() });
   for (int first = 0; first < count; first += lanes)
   {
-    int lane = first;
-    for (unsigned bits = m_chosen[first / lanes]; bits != 0; bits >>= 1, ++lane)
+    for (unsigned bits = m_chosen[first / lanes]; bits != 0; bits &= bits - 1)
     {
-      if ((bits & 1U) == 0)
-      {
-        continue;
-      }
+      const int lane = first + __builtin_ctz(bits);
       const double values[3] = { m_values[lane] + view.values[0],
         m_values[m_stride + lane] + view.values[1],
         m_values[2 * m_stride + lane] + view.values[2] };
@@ -188,6 +178,34 @@ bool FacetIntegration<D>::addNeighbors(const View& view, double farthest, const 
   return true;
 }
 
+/** Whether the site's list holds all sites that may win on the facet: those up to `farthest`. */
+template <int D>
+bool FacetIntegration<D>::seesAll(const View& view, double& farthest) const
+{
+  const double radius = std::sqrt(std::max({ view.squared[0], view.squared[1], view.squared[2] }));
+  return m_lists.holds(view.site, 2.0 * radius * aboveRounding, farthest);
+}
+
+/** Whether a facet's centre has leapt away from it: no site that wins there is in its list. */
+template <int D>
+bool FacetIntegration<D>::isAway(const View& view) const
+{
+  const double nearest = std::min({ view.squared[0], view.squared[1], view.squared[2] });
+  return std::sqrt(nearest) > std::max(0.0, m_lists.reach(view.site));
+}
+
+/** Makes this site the reference, and the only one so far. */
+template <int D>
+void FacetIntegration<D>::lookFrom(Index site, const Triple& corners)
+{
+  View& reference = m_views[0];
+  this->look(site, corners, reference);
+  std::fill_n(reference.values, 3, 0.0);
+  m_numberOfViews = 1;
+  m_envelope.clear();
+  this->addSite(site, reference.values);
+}
+
 template <int D>
 bool FacetIntegration<D>::integrate(Index facet)
 {
@@ -196,41 +214,44 @@ bool FacetIntegration<D>::integrate(Index facet)
     return false;
   }
   const Triple& corners = m_surface.facetCorners[facet];
-  Index owners[3];
-  const int numberOfOwners = this->distinctOwners(corners, owners);
-  View& reference = m_views[0];
-  this->look(owners[0], corners, reference);
-  for (double& value : reference.values)
+  const Owners owners = this->distinctOwners(corners);
+  Index& center = m_centers[facet];
+  if (center != noIndex)
   {
-    value = 0.0;
+    this->lookFrom(center, corners);
+    if (!this->isAway(m_views[0]))
+    {
+      return this->integrateLarge(facet, owners);
+    }
+    center = noIndex;
   }
-  m_envelope.count = 0;
-  m_numberOfViews = 1;
-  this->addSite(owners[0], reference.values);
-  const double* squared = reference.squared;
-  const double radius = std::sqrt(std::max({ squared[0], squared[1], squared[2] }));
+  this->lookFrom(owners.sites[0], corners);
   double farthest = 0.0;
-  if (m_lists.holds(owners[0], 2.0 * radius * aboveRounding, farthest))
+  if (this->seesAll(m_views[0], farthest))
   {
-    return this->addNeighbors(reference, farthest, [](Index, const double*) { return true; }) &&
+    return this->addNeighbors(m_views[0], farthest, [](Index, const double*) { return true; }) &&
       m_trace(m_envelope);
   }
-  return this->integrateLarge(facet, owners, numberOfOwners);
+  return this->integrateLarge(facet, owners);
 }
 
 template <int D>
-bool FacetIntegration<D>::integrateLarge(Index facet, const Index owners[3], int numberOfOwners)
+bool FacetIntegration<D>::integrateLarge(Index facet, const Owners& owners)
 {
   const Triple& corners = m_surface.facetCorners[facet];
-  for (; m_numberOfViews < numberOfOwners; ++m_numberOfViews)
+  const View& reference = m_views[0];
+  m_facetOfSite[reference.site] = facet;
+  const View* first = &reference; // of the owners
+  for (int w = 0; w < owners.count; ++w)
   {
-    View& view = m_views[m_numberOfViews];
-    this->look(owners[m_numberOfViews], corners, view);
-    this->addSite(view.site, view.values);
-  }
-  for (int w = 0; w < numberOfOwners; ++w)
-  {
-    m_facetOfSite[owners[w]] = facet;
+    if (owners.sites[w] != reference.site)
+    {
+      View& view = m_views[m_numberOfViews++];
+      this->look(owners.sites[w], corners, view);
+      this->addSite(view.site, view.values);
+      m_facetOfSite[view.site] = facet;
+      first = w == 0 ? &view : first;
+    }
   }
   const auto isNew = [this, facet](Index site, const double*)
   {
@@ -238,24 +259,47 @@ bool FacetIntegration<D>::integrateLarge(Index facet, const Index owners[3], int
     m_facetOfSite[site] = facet;
     return !met;
   };
-  if (!this->addNeighbors(m_views[0], std::numeric_limits<double>::infinity(), isNew))
+  double farthest = 0.0;
+  const bool complete = this->seesAll(reference, farthest);
+  if (!this->addNeighbors(
+        reference, complete ? farthest : std::numeric_limits<double>::infinity(), isNew))
   {
     return false;
   }
-  m_expanded.assign(1, owners[0]);
+  m_expanded.assign(1, reference.site);
   for (int round = 0; round < mostRounds; ++round)
   {
     bool grown = false;
-    if (!m_trace(m_envelope) || !this->checkCells(facet, grown))
+    if (!m_trace(m_envelope) || (!complete && !this->checkCells(facet, grown)))
     {
       return false;
     }
     if (!grown)
     {
+      m_centers[facet] = this->seesAll(*first, farthest) ? noIndex : this->nearestToCenter();
       return true;
     }
   }
   return false;
+}
+
+/** The site nearest to the facet's centre, from where the next look at it will be. */
+template <int D>
+Index FacetIntegration<D>::nearestToCenter() const
+{
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int slot = 0; slot < m_envelope.count; ++slot)
+  {
+    const double sum =
+      m_envelope.values[0][slot] + m_envelope.values[1][slot] + m_envelope.values[2][slot];
+    if (sum < least)
+    {
+      least = sum;
+      best = slot;
+    }
+  }
+  return m_ids[best];
 }
 
 /**

@@ -6,7 +6,9 @@
  *    the facet's farthest corner: only they can win anything on the facet ([Levy12], Theorem 1).
  *    Their values at the corners come from the reference's packed bisectors, many at once
  *    (BisectorValues.h). Who is below the reference at no corner is out.
- * 2. Where that list is too short to know beforehand: the envelope of the owners and of the list is
+ * 2. Where that list is too short for it, the facet is large. The reference is the site that was
+ *    nearest to its centre at the last evaluation, if it is known: its list may reach all around.
+ * 3. Where it does not, either: the envelope of the owners and of the list is
  *    traced. A point at distance r from its site can only be won by a site within r of it, and so
  *    within r and the point's distance from the reference of the latter. Where the list does not
  *    reach that far, the neighbours of the part's own site join in, until nothing changes.
@@ -29,8 +31,12 @@ template <int D>
 class FacetIntegration
 {
 public:
+  /**
+   * @param centers for each large facet the site nearest to its centre, for others noIndex; kept
+   *        from one evaluation to the next.
+   */
   FacetIntegration(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
-    const std::vector<Index>& owners, InstructionSet instructions);
+    const std::vector<Index>& owners, std::vector<Index>& centers, InstructionSet instructions);
 
   /** Call between blocks. */
   void beginBlock();
@@ -58,11 +64,13 @@ private:
   /** Smaller parts are rounding. */
   static constexpr double leastFraction = 1e-12;
   static constexpr std::size_t numberOfPacks = 128;
+  static constexpr int mostViews = 4;
 
   /** The neighbours of a site relative to it, and their squared distances; see BisectorValues. */
   struct Bisectors
   {
     Index site = noIndex;
+    int packed = 0;              ///< lanes, so far
     std::vector<double> offsets; ///< (d + 1) x m_stride
   };
 
@@ -75,19 +83,30 @@ private:
     std::vector<double> points; ///< 3 x d
   };
 
+  /** The sites that own a facet's corners. */
+  struct Owners
+  {
+    int count;
+    Index sites[3];
+  };
+
   struct PartReach
   {
     double radius = 0.0;
     double sum = 0.0;
   };
 
-  const Bisectors& bisectorsOf(Index site);
-  int distinctOwners(const Triple& corners, Index owners[3]) const;
+  const double* bisectorsOf(Index site, Index count);
+  Owners distinctOwners(const Triple& corners) const;
+  bool seesAll(const View& view, double& farthest) const;
+  bool isAway(const View& view) const;
   void look(Index site, const Triple& corners, View& view) const;
+  void lookFrom(Index site, const Triple& corners);
   void addSite(Index site, const double values[3]);
   template <class Accept>
   bool addNeighbors(const View& view, double farthest, const Accept& accept);
-  bool integrateLarge(Index facet, const Index owners[3], int numberOfOwners);
+  bool integrateLarge(Index facet, const Owners& owners);
+  Index nearestToCenter() const;
   bool checkCells(Index facet, bool& grown);
   void findReach(const FacetConstants& facet, PartReach reach[]) const;
   bool winsSomewhere(const double values[3]) const;
@@ -97,6 +116,8 @@ private:
   const Sites& m_sites;
   const NeighborLists& m_lists;
   const std::vector<Index>& m_owners;
+  std::vector<Index>& m_centers;
+  BisectorPacking m_pack;
   BisectorEvaluation m_evaluate;
   EnvelopeTracing m_trace;
 
@@ -104,7 +125,7 @@ private:
   std::vector<Bisectors> m_packs;     ///< by site modulo their number
   std::vector<double> m_values;       ///< 3 x m_stride
   std::vector<std::uint8_t> m_chosen; ///< m_stride / lanes
-  View m_views[3];                    ///< of the owners, the first is the reference
+  View m_views[mostViews];            ///< of the owners, the first is the reference
   int m_numberOfViews = 0;
   View m_cellView;
 

@@ -164,7 +164,7 @@ Status RestrictedVoronoi::cut(const Sites& sites, const KeptPieces* kept, const 
     [&]()
     {
       return std::unique_ptr<BlockScratch<D>>(new BlockScratch<D>{
-        FacetIntegration<D>(m_surface, sites, m_lists, this->owners(), m_instructions),
+        FacetIntegration<D>(m_surface, sites, m_lists, this->owners(), m_centers, m_instructions),
         FacetDecomposition<D>(m_surface, sites, m_lists, this->owners(), m_decisions),
         BlockAccumulator<D>(m_surface, sites) });
     });
@@ -221,6 +221,11 @@ Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& contro
   if (Status status = this->locate(sites, control); !status.ok())
   {
     return status;
+  }
+  if (m_numberOfSites != sites.count())
+  {
+    m_centers.assign(static_cast<std::size_t>(m_surface.numberOfFacets()), noIndex);
+    m_numberOfSites = sites.count();
   }
   return dispatchDimension(m_surface.dimension,
     [&](auto dimension)

@@ -91,6 +91,8 @@ private:
   Offset m_window = 0; ///< 0: as suits
   NeighborLists m_lists;
   Ownership m_ownership;
+  std::vector<Index> m_centers;       ///< see FacetIntegration
+  Index m_numberOfSites = 0;          ///< for which they were found
   std::vector<BlockSums> m_blockSums; ///< kept for their memory
   int m_evaluations = 0;
   EvaluationTimes m_times;
