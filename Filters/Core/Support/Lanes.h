@@ -13,6 +13,7 @@
 
 #include "Support/InstructionSet.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -20,6 +21,12 @@
 namespace remesh
 {
 constexpr int lanes = 8;
+
+/** Rounds up. */
+constexpr int wholeLanes(int count)
+{
+  return (count + lanes - 1) / lanes * lanes;
+}
 
 /** Eight numbers at once (a vector of GCC and Clang, which split it where it is too wide). */
 using Lanes = double __attribute__((vector_size(8 * lanes)));
@@ -65,6 +72,14 @@ using LaneBits = unsigned long long __attribute__((vector_size(8 * lanes)));
   Lanes stored = Lanes{} + std::numeric_limits<double>::infinity();
   replaceChosen(values, chosen, stored);
   store(stored, to);
+}
+
+/** The least of so many numbers. */
+[[gnu::always_inline]] inline double leastOfLanes(const double* n)
+{
+  const double low = std::min(std::min(n[0], n[1]), std::min(n[2], n[3]));
+  const double high = std::min(std::min(n[4], n[5]), std::min(n[6], n[7]));
+  return std::min(low, high);
 }
 
 /** One bit for each lane that is set. */

@@ -2,7 +2,9 @@
 
 #include "Support/Lanes.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace remesh
 {
@@ -10,6 +12,31 @@ namespace
 {
 /** The value of lanes without a site. */
 constexpr double unreachable = 1e100;
+
+struct Minimum
+{
+  [[gnu::always_inline]] static inline double run(const BisectorsAtPoint& task)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (int first = 0; first < task.count; first += lanes)
+    {
+      Lanes sum{};
+      Lanes row;
+      const double* column = task.offsets + first;
+      for (int m = 0; m < task.dimension; ++m, column += task.stride)
+      {
+        load(column, row);
+        sum += task.point[m] * row;
+      }
+      load(column, row);
+      sum = row - 2.0 * sum;
+      double* v = task.values + first;
+      store(sum, v);
+      least = std::min(least, leastOfLanes(v));
+    }
+    return least;
+  }
+};
 
 struct Packing
 {
@@ -91,6 +118,11 @@ struct Evaluation
 BisectorEvaluation bisectorEvaluation(InstructionSet set)
 {
   return CompiledFor<Evaluation, const BisectorValues&>::select(set);
+}
+
+BisectorMinimum bisectorMinimum(InstructionSet set)
+{
+  return CompiledFor<Minimum, const BisectorsAtPoint&>::select(set);
 }
 
 BisectorPacking bisectorPacking(InstructionSet set)

@@ -33,6 +33,17 @@ struct BisectorValues
   std::uint8_t* chosen;
 };
 
+/** The same at one point, of which the least is wanted. */
+struct BisectorsAtPoint
+{
+  const double* offsets;
+  int stride;
+  int count;
+  const double* point;
+  int dimension;
+  double* values; ///< stride
+};
+
 /**
  * Packs rows for `BisectorValues`: the offsets of the listed sites from x, and the squares of their
  * lengths. The lanes [first, last), which are whole ones; those from `count` on stand for sites
@@ -52,10 +63,13 @@ struct BisectorPack
 };
 
 using BisectorEvaluation = void (*)(const BisectorValues&);
+using BisectorMinimum = double (*)(const BisectorsAtPoint&);
 using BisectorPacking = void (*)(const BisectorPack&);
 
-/** The loop, compiled for a set of instructions; all give the same bits. */
+/** The loops, compiled for a set of instructions; all give the same bits. */
 BisectorEvaluation bisectorEvaluation(InstructionSet set);
+/** Returns the least value; infinity if there is none. */
+BisectorMinimum bisectorMinimum(InstructionSet set);
 BisectorPacking bisectorPacking(InstructionSet set);
 }
 

@@ -44,10 +44,7 @@ struct Tracing : EnvelopeBuilder
     double least = never;
     for (int q = 0; q < envelope.count; q += lanes)
     {
-      const double* n = numbers + q;
-      const double low = std::min(std::min(n[0], n[1]), std::min(n[2], n[3]));
-      const double high = std::min(std::min(n[4], n[5]), std::min(n[6], n[7]));
-      least = std::min(least, std::min(low, high));
+      least = std::min(least, leastOfLanes(numbers + q));
     }
     if (!(least < never))
     {

@@ -11,8 +11,6 @@ namespace remesh
 {
 namespace
 {
-/** More coordinates than this, and packing them costs more than it saves. */
-constexpr int mostPackedDimension = 16;
 constexpr int mostRounds = 8;
 }
 
@@ -25,11 +23,10 @@ FacetIntegration<D>::FacetIntegration(const EmbeddedSurface& surface, const Site
   , m_lists(lists)
   , m_owners(owners)
   , m_centers(centers)
-  , m_pack(bisectorPacking(instructions))
   , m_evaluate(bisectorEvaluation(instructions))
   , m_trace(envelopeTracing(instructions))
-  , m_stride((lists.longest() + lanes - 1) / lanes * lanes)
-  , m_packs(numberOfPacks)
+  , m_packs(sites, lists, instructions)
+  , m_stride(m_packs.stride())
   , m_values(3 * static_cast<std::size_t>(m_stride))
   , m_chosen(static_cast<std::size_t>(m_stride / lanes))
   , m_facetOfSite(static_cast<std::size_t>(sites.count()), noIndex)
@@ -39,38 +36,6 @@ FacetIntegration<D>::FacetIntegration(const EmbeddedSurface& surface, const Site
     view.points.resize(3 * static_cast<std::size_t>(surface.dimension));
   }
   m_cellView.points.resize(3 * static_cast<std::size_t>(surface.dimension));
-}
-
-template <int D>
-void FacetIntegration<D>::beginBlock()
-{
-  for (Bisectors& pack : m_packs)
-  {
-    pack.site = noIndex;
-  }
-}
-
-/** The first `count` neighbours of a site, packed. */
-template <int D>
-const double* FacetIntegration<D>::bisectorsOf(Index site, Index count)
-{
-  Bisectors& pack = m_packs[static_cast<std::size_t>(site) % numberOfPacks];
-  if (pack.site != site)
-  {
-    pack.site = site;
-    pack.packed = 0;
-    pack.offsets.resize(
-      (static_cast<std::size_t>(m_surface.dimension) + 1) * static_cast<std::size_t>(m_stride));
-  }
-  const int wanted = (count + lanes - 1) / lanes * lanes;
-  if (pack.packed < wanted)
-  {
-    const NeighborList list = m_lists.list(site);
-    m_pack({ m_sites.site(site), m_sites.coordinates.data(), list.sites, list.count, pack.packed,
-      wanted, m_surface.dimension, m_stride, pack.offsets.data() });
-    pack.packed = wanted;
-  }
-  return pack.offsets.data();
 }
 
 /** The owners of the corners, the one likely to see the facet best first. */
@@ -155,7 +120,7 @@ bool FacetIntegration<D>::addNeighbors(const View& view, double farthest, const 
       limits[w][k] = m_views[w].values[k] - view.values[k];
     }
   }
-  m_evaluate({ this->bisectorsOf(view.site, count), m_stride, count, view.points.data(),
+  m_evaluate({ m_packs.of(view.site, count), m_stride, count, view.points.data(),
     m_surface.dimension, limits, m_numberOfViews, m_values.data(), m_chosen.data() });
   for (int first = 0; first < count; first += lanes)
   {
@@ -209,7 +174,7 @@ void FacetIntegration<D>::lookFrom(Index site, const Triple& corners)
 template <int D>
 bool FacetIntegration<D>::integrate(Index facet)
 {
-  if (D == Eigen::Dynamic && m_surface.dimension > mostPackedDimension)
+  if (D == Eigen::Dynamic && m_surface.dimension > BisectorPacks::mostDimensions)
   {
     return false;
   }

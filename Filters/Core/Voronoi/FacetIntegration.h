@@ -19,7 +19,7 @@
 #define remesh_FacetIntegration_h
 
 #include "Embedding/EmbeddedSurface.h"
-#include "Voronoi/BisectorValues.h"
+#include "Voronoi/BisectorPacks.h"
 #include "Voronoi/Envelope.h"
 #include "Voronoi/NeighborLists.h"
 #include "Voronoi/PieceIntegral.h"
@@ -37,9 +37,6 @@ public:
    */
   FacetIntegration(const EmbeddedSurface& surface, const Sites& sites, const NeighborLists& lists,
     const std::vector<Index>& owners, std::vector<Index>& centers, InstructionSet instructions);
-
-  /** Call between blocks. */
-  void beginBlock();
 
   /**
    * The parts of all cells on a facet that several share. False: left to FacetDecomposition, for
@@ -63,16 +60,7 @@ public:
 private:
   /** Smaller parts are rounding. */
   static constexpr double leastFraction = 1e-12;
-  static constexpr std::size_t numberOfPacks = 128;
   static constexpr int mostViews = 4;
-
-  /** The neighbours of a site relative to it, and their squared distances; see BisectorValues. */
-  struct Bisectors
-  {
-    Index site = noIndex;
-    int packed = 0;              ///< lanes, so far
-    std::vector<double> offsets; ///< (d + 1) x m_stride
-  };
 
   /** The corners as a site sees them. */
   struct View
@@ -96,7 +84,6 @@ private:
     double sum = 0.0;
   };
 
-  const double* bisectorsOf(Index site, Index count);
   Owners distinctOwners(const Triple& corners) const;
   bool seesAll(const View& view, double& farthest) const;
   bool isAway(const View& view) const;
@@ -117,12 +104,11 @@ private:
   const NeighborLists& m_lists;
   const std::vector<Index>& m_owners;
   std::vector<Index>& m_centers;
-  BisectorPacking m_pack;
   BisectorEvaluation m_evaluate;
   EnvelopeTracing m_trace;
 
-  int m_stride;                       ///< of bisectors: the longest list, rounded up to whole lanes
-  std::vector<Bisectors> m_packs;     ///< by site modulo their number
+  BisectorPacks m_packs;
+  int m_stride;                       ///< of the packs
   std::vector<double> m_values;       ///< 3 x m_stride
   std::vector<std::uint8_t> m_chosen; ///< m_stride / lanes
   View m_views[mostViews];            ///< of the owners, the first is the reference

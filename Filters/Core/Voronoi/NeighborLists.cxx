@@ -1,6 +1,7 @@
 #include "Voronoi/NeighborLists.h"
 
 #include "Embedding/Distance.h"
+#include "Support/FloatBounds.h"
 #include "Support/Parallel.h"
 #include "Voronoi/NearbySites.h"
 
@@ -32,18 +33,6 @@ constexpr Offset mostLeapers = 32;
 constexpr Offset sitesForLeaper = 256;
 /** Beside one that came from farther away, in mean reaches of lists, walks would go too far. */
 constexpr double farthestLeap = 4.0;
-
-float roundedDown(double value)
-{
-  const auto rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafter(rounded, 0.0F) : rounded;
-}
-
-/** Below all that round to the same float: as such they are put in order. */
-float below(double value)
-{
-  return std::nextafter(static_cast<float>(value), 0.0F);
-}
 
 Blocks blocksOf(const Sites& sites)
 {
@@ -238,7 +227,7 @@ void NeighborLists::buildList(
   for (Index k = 0; k < place.count; ++k)
   {
     m_ids[first + k] = found[k].site;
-    m_distances[first + k] = below(found[k].distance);
+    m_distances[first + k] = below(found[k].distance); // as floats they were put in order
     near += k < nearNeighbors ? found[k].distance : 0.0;
   }
   place.needed = static_cast<float>(leastReach / nearNeighbors * near);

@@ -2,22 +2,29 @@
  * @file Ownership.h
  * @brief The site nearest to each corner of the surface, while the sites move.
  *
- * Walks from each corner's last owner to a nearer neighbour as long as there is one: exact (the
- * lower id wins a tie), and a few distances when the last owner is nearly right; where the walk
- * becomes long, the tree is asked. By how much an
- * owner is nearer than all other sites is kept: as long as the sites have moved by less
- * (SiteDrift.h), it is still the owner, and no distance is computed.
+ * Starts from each corner's last owner (OwnerSearch.h): exact, and a few distances when it is
+ * nearly right. By how much an owner is nearer than all other sites is kept: as long as the sites
+ * have moved by less (SiteDrift.h), it is still the owner, and no distance is computed.
  */
 #ifndef remesh_Ownership_h
 #define remesh_Ownership_h
 
+#include "Support/InstructionSet.h"
 #include "Voronoi/SiteDrift.h"
 
 namespace remesh
 {
+template <int D>
+class OwnerSearch;
+
 class Ownership
 {
 public:
+  explicit Ownership(InstructionSet instructions = widestInstructionSet())
+    : m_instructions(instructions)
+  {
+  }
+
   /** Tells the next update owners (C) that it need not find; noIndex at other corners. */
   void know(std::vector<Index> owners, const Sites& sites);
 
@@ -33,10 +40,11 @@ public:
 private:
   template <int D>
   void updateRange(Index begin, Index end, const EmbeddedSurface& surface, const Sites& sites,
-    const NeighborLists& lists);
+    OwnerSearch<D>& search);
 
   void begin(std::vector<Index> owners, const Sites& sites);
 
+  InstructionSet m_instructions;
   std::vector<Index> m_owners;
   std::vector<double> m_squared;
   SiteDrift m_drift;

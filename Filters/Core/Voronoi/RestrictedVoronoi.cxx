@@ -58,7 +58,6 @@ void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
 {
   const bool manyNumbers = D == Eigen::Dynamic && surface.dimension >= manyDimensions;
   FacetDecomposition<D>& decomposition = scratch.decomposition;
-  scratch.integration.beginBlock();
   decomposition.beginBlock();
   for (Offset f = begin; f < end; ++f)
   {

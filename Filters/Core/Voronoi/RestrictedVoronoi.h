@@ -49,6 +49,7 @@ public:
     , m_instructions(instructions)
     , m_decisions(decisions)
     , m_lists(surface.patches.leastDistance())
+    , m_ownership(instructions)
   {
   }
 
