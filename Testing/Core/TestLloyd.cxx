@@ -41,7 +41,7 @@ void checkDescent(const EmbeddedSurface& surface, Sites sites, int steps)
     CHECK(relaxLloyd(voronoi, surface, 1, 1, RunControl(), sites, sums, two, empty).ok());
     rises += !(sums.totalEnergy <= energy - gain + 1e-13 * energy);
     CHECK_EQUAL(two.rows.size(), std::size_t(2));
-    CHECK_EQUAL(two.rows[0].energy, energy);
+    CHECK_NEAR(two.rows[0].energy, energy, 1e-14 * energy); // the same sites, looked at again
     CHECK_EQUAL(two.rows[1].energy, sums.totalEnergy);
     CHECK_EQUAL(two.rows[1].gradientNorm, sums.gradientNorm);
     CHECK_EQUAL(two.rows[1].stepLength, 1.0);
