@@ -209,6 +209,11 @@ std::vector<std::string> warningsOf(
       " points more than asked for, as features take so many, or so many cells "
       "reach several parts of the surface. More points or less anisotropy help.");
   }
+  if (hasNumber && extra < 0 && result.emptyCells == 0)
+  {
+    warnings.push_back("The mesh has fewer points than asked for, by " + std::to_string(-extra) +
+      ", as so many cells reach several parts of the surface. More points help.");
+  }
   if (hasNumber && 2 * result.neededFeaturePoints > options.numberOfSites)
   {
     warnings.push_back("Corners and curves of the surface need " +

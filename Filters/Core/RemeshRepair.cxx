@@ -303,6 +303,8 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   if (task.options.exactNumber && repair.adjustments < mostAdjustments &&
     result.components.count() != wanted)
   {
+    // Where cells reach several parts of the surface, others may come to do so with each that goes.
+    keepIfBest(task.options, result, repair);
     ++repair.adjustments;
     if (const Index touched = revise({}, result.topology.certificate, wanted, task, repair, result);
         touched > 0)

@@ -112,13 +112,18 @@ bool comesNearer(const RemeshResult& result, Repair& repair)
 }
 }
 
-void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
+void keepIfBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
 {
-  repair.idleRounds = comesNearer(result, repair) ? 0 : repair.idleRounds + 1;
   if (const Score score = scoreOf(options, result, repair); score < repair.scoreOfBest)
   {
     repair.scoreOfBest = score;
     keepState(result, repair);
   }
+}
+
+void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair)
+{
+  repair.idleRounds = comesNearer(result, repair) ? 0 : repair.idleRounds + 1;
+  keepIfBest(options, result, repair);
 }
 }

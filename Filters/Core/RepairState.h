@@ -96,7 +96,10 @@ Offset wantedVertices(
 
 Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
 
-/** Keeps the state if it is the best so far, and sees whether repairs come nearer to their end. */
+/** Keeps the state if it is the best so far. */
+void keepIfBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair);
+
+/** The same, and sees whether repairs come nearer to their end. */
 void keepBest(const RemeshOptions& options, const RemeshResult& result, Repair& repair);
 
 /** Where the certificate fails; ascending. */

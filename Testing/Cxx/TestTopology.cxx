@@ -5,6 +5,8 @@
 #include "vtkAnisotropicRemesher.h"
 #include "vtkRestrictedVoronoiDiagram.h"
 
+#include <cmath>
+
 using namespace remesh;
 using namespace remesh::test;
 
@@ -160,6 +162,39 @@ void testExtraPoints()
   }
 }
 
+/** A sheet, rolled up in six turns. */
+TriangleSoup roll()
+{
+  constexpr double pi = 3.14159265358979323846;
+  TriangleSoup soup = gridPatch(200, 20);
+  for (Point3& point : soup.points)
+  {
+    const double turns = 6.0 * point.x();
+    const double radius = 0.1 + 0.1 * turns;
+    point = { radius * std::cos(2.0 * pi * turns), radius * std::sin(2.0 * pi * turns), point.y() };
+  }
+  return soup;
+}
+
+/**
+ * Where the points lie farther apart than the sheets, more cells come to reach several of them for
+ * each that is taken away: what comes nearest to the number stays, or it is told.
+ */
+void testManySheets()
+{
+  for (const double anisotropy : { 0.0, 0.02, 0.05 })
+  {
+    const auto filter = remesherOf(roll(), 1000);
+    filter->SetAnisotropy(anisotropy);
+    Messages messages(filter);
+    filter->Update();
+    const vtkIdType points = filter->GetOutput()->GetNumberOfPoints();
+    CHECK(points >= 990 && points <= 1010); // one percent
+    CHECK_EQUAL(messages.warnings().empty(), points >= 1000);
+    CHECK(isPreserved(filter));
+  }
+}
+
 /** Given sites are told about as they are, and stay. */
 void testGivenSites()
 {
@@ -188,6 +223,7 @@ int TestTopology(int, char*[])
   testMoebiusStrip();
   testThreeSheets();
   testExtraPoints();
+  testManySheets();
   testGivenSites();
   return result();
 }
