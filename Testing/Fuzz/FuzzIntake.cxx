@@ -15,8 +15,8 @@ namespace
 void checkMesh(const SurfaceMesh& mesh, const TriangleSoup& soup, const IntakeReport& report)
 {
   FUZZ_CHECK(mesh.numberOfFacets() > 0);
-  FUZZ_CHECK(
-    mesh.numberOfFacets() + report.dropped() == static_cast<Offset>(soup.triangles.size()));
+  FUZZ_CHECK(mesh.numberOfFacets() + report.dropped() ==
+    static_cast<Offset>(soup.triangles.size()) + report.addedBySplits);
   FUZZ_CHECK(mesh.facetCorners == mesh.facetPoints);
   FUZZ_CHECK(mesh.cornerPoints.size() == mesh.points.size());
   FUZZ_CHECK(mesh.facetInputCells.size() == mesh.facetPoints.size());

@@ -4,7 +4,7 @@
  * 1. Check sizes and ids; collect the points that triangles use; check their coordinates
  *    (IntakeDraft).
  * 2. Merge coincident points (Weld).
- * 3. Drop degenerate triangles, then duplicates (Duplicates).
+ * 3. Drop degenerate triangles, without opening slits (CapSplit), then duplicates (Duplicates).
  * 4. Make the orientation consistent shell by shell (Orientation), in the order of the input, so
  *    that "the first facet" means the caller's first.
  * 5. Order the facets along a Hilbert curve (SpatialOrder), number the points in the order in
@@ -16,6 +16,7 @@
  */
 #include "Mesh/Intake.h"
 
+#include "Mesh/CapSplit.h"
 #include "Mesh/Duplicates.h"
 #include "Mesh/EdgeTable.h"
 #include "Mesh/FacetGeometry.h"
@@ -26,6 +27,7 @@
 #include "Support/DisjointSets.h"
 #include "Support/Grouping.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <numeric>
@@ -68,16 +70,22 @@ Offset removeFacets(const std::vector<unsigned char>& marked, Draft& draft)
     {
       draft.facets[kept] = draft.facets[f];
       draft.facetTriangles[kept] = draft.facetTriangles[f];
+      if (!draft.facetInputs.empty())
+      {
+        draft.facetInputs[kept] = draft.facetInputs[f];
+      }
       ++kept;
     }
   }
   const auto dropped = static_cast<Offset>(draft.facets.size() - kept);
   draft.facets.resize(kept);
   draft.facetTriangles.resize(kept);
+  draft.facetInputs.resize(draft.facetInputs.empty() ? 0 : kept);
   return dropped;
 }
 
-Status dropBadFacets(const RunControl& control, Draft& draft, IntakeReport& report)
+Status dropBadFacets(
+  const TriangleSoup& soup, const RunControl& control, Draft& draft, IntakeReport& report)
 {
   const auto count = static_cast<Offset>(draft.facets.size());
   std::vector<unsigned char> marked(draft.facets.size(), 0);
@@ -91,7 +99,11 @@ Status dropBadFacets(const RunControl& control, Draft& draft, IntakeReport& repo
   {
     return Status::cancelled();
   }
-  report.droppedDegenerate = removeFacets(marked, draft);
+  report.droppedDegenerate = std::count(marked.begin(), marked.end(), 1);
+  splitAtCaps(soup, marked, draft);
+  removeFacets(marked, draft);
+  report.addedBySplits =
+    static_cast<Offset>(draft.facets.size()) + report.droppedDegenerate - count;
   report.droppedDuplicate = removeFacets(findDuplicates(draft.facets, control), draft);
   if (control.cancelled())
   {
@@ -161,7 +173,7 @@ bool writeFacets(const TriangleSoup& soup, const Draft& draft, const Orientation
       const Index triangle = draft.facetTriangles[source];
       facets[f] = draft.facets[source];
       mesh.facetInputCells[f] = soup.inputCells[triangle];
-      inputs[f] = soup.triangles[triangle];
+      inputs[f] = draft.facetInputs.empty() ? soup.triangles[triangle] : draft.facetInputs[source];
       if (orientation.flipped[source])
       {
         std::swap(facets[f][1], facets[f][2]);
@@ -224,7 +236,7 @@ Status draftSurface(const TriangleSoup& soup, const IntakeOptions& options,
   if (status.ok())
   {
     control.report(0.4);
-    status = dropBadFacets(control, draft, report);
+    status = dropBadFacets(soup, control, draft, report);
   }
   return status;
 }

@@ -31,6 +31,7 @@ struct IntakeOptions
 struct IntakeReport
 {
   Offset droppedDegenerate = 0; ///< triangles with two equal points or no area
+  Offset addedBySplits = 0;     ///< facets, beside others that were dropped (CapSplit.h)
   Offset droppedDuplicate = 0;  ///< triangles on the same three points as an earlier one
   Offset mergedPoints = 0;      ///< used input points that became another one's
   Offset flippedFacets = 0;     ///< turned round to make the orientation consistent
@@ -47,7 +48,8 @@ struct IntakeReport
  * orientation consistent, and orders facets and points along a Hilbert curve.
  *
  * - Degenerate: two corners are one point, or their area is nothing but rounding error
- *   (`hasArea`). Slivers of any real width stay.
+ *   (`hasArea`). Slivers of any real width stay. Where three corners are on a line between other
+ *   triangles, the one across the longest side is split at the middle corner (CapSplit.h).
  * - Orientation: see `findOrientation`. A consistent input keeps its own, inside out or not.
  * - A facet keeps its first corner; turning it round exchanges the other two.
  * - Facets follow the Hilbert curve of their centroids (ties: input order), points the order in

@@ -18,6 +18,8 @@ struct Draft
   std::vector<Point3> points;        ///< U
   std::vector<Triple> facets;        ///< F x 3, into `points`
   std::vector<Index> facetTriangles; ///< F, into the soup's triangles
+  /** F x 3, the caller's points, if facets were split (CapSplit.h); else empty: the triangles'. */
+  std::vector<std::array<Offset, 3>> facetInputs;
 };
 
 template <class... Parts>
