@@ -54,11 +54,10 @@ public:
   }
 
 private:
-  /** As near to each other, in parts of the differences between the owners, none is clearly above.
-   */
+  /** Only who is farther above than this part of the owners' differences is clearly above. */
   static constexpr double closest = 1e-9;
-  /** Borders at a smaller angle (its sine, in the plane of barycentric coordinates) meet nowhere
-   * that can be told. */
+  /** Where borders meet is told only if the sine of their angle, in barycentric coordinates, is
+   *  larger. */
   static constexpr double leastSine = 1e-6;
 
   /** Whether the sites of all slots but `owners` (bits) are above the cells, at each vertex. */
@@ -170,7 +169,12 @@ private:
     }
     m_builder.addEdgePiece(0.0, along[1], owners[1]);
     m_builder.addEdgePiece(along[1], 1.0, owners[2]);
-    return m_builder.normalize();
+    if (!m_builder.normalize())
+    {
+      m_builder.clearMoments();
+      return false;
+    }
+    return true;
   }
 
   /** The point as far from all three, or -1. */

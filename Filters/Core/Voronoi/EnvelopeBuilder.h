@@ -31,6 +31,11 @@ struct EnvelopeBuilder
   [[gnu::always_inline]] inline void begin()
   {
     envelope.numberOfVertices = 0;
+    clearMoments();
+  }
+
+  [[gnu::always_inline]] inline void clearMoments()
+  {
     for (int q = 0; q < envelope.count; ++q)
     {
       for (double& moment : envelope.moments[q])

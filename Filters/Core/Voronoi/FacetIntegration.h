@@ -8,10 +8,10 @@
  *    (BisectorValues.h). Who is below the reference at no corner is out.
  * 2. Where that list is too short for it, the facet is large. The reference is the site that was
  *    nearest to its centre at the last evaluation, if it is known: its list may reach all around.
- * 3. Where it does not, either: the envelope of the owners and of the list is
- *    traced. A point at distance r from its site can only be won by a site within r of it, and so
- *    within r and the point's distance from the reference of the latter. Where the list does not
- *    reach that far, the neighbours of the part's own site join in, until nothing changes.
+ * 3. Where it does not, either: the envelope of the owners and of the list is traced. A point at
+ *    distance r from its site can only be won by a site within r of it, and so within r and the
+ *    point's distance from the reference of the latter. Where the list does not reach that far, the
+ *    neighbours of the part's own site join in, until nothing changes.
  *
  * Rounded, but never wrong by more than rounding: what cannot be vouched for is refused.
  */
@@ -111,7 +111,7 @@ private:
   int m_stride;                       ///< of the packs
   std::vector<double> m_values;       ///< 3 x m_stride
   std::vector<std::uint8_t> m_chosen; ///< m_stride / lanes
-  View m_views[mostViews];            ///< of the owners, the first is the reference
+  View m_views[mostViews];            ///< the reference, then other owners of corners
   int m_numberOfViews = 0;
   View m_cellView;
 
