@@ -12,8 +12,10 @@
  * A whole diagram may take pieces from an earlier one and make the rest (KeptPieces.h).
  *
  * Exact (ties included, see Predicates.h) and reproducible: neither the back-end, the threads nor
- * the order of the blocks changes a bit of the result; what is kept from one evaluation to the next
- * changes nothing but the rounding of the integrals, and nothing of a diagram. Cost about a F + b n.
+ * the order of the blocks changes a bit of the result. What is kept from one evaluation to the next
+ * changes nothing but the rounding of the integrals, and nothing of a diagram.
+ *
+ * Cost about a F + b n.
  */
 #ifndef remesh_RestrictedVoronoi_h
 #define remesh_RestrictedVoronoi_h
