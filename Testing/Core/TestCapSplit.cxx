@@ -142,6 +142,24 @@ void testTwins()
   CHECK_EQUAL(report.boundaryEdges, 4);
   CHECK_EQUAL(report.nonManifoldEdges, 0);
 }
+
+/** A whole sphere pressed onto a line, beside a triangle: it ends, and that one is left. */
+void testCollapsed()
+{
+  TriangleSoup sphere = test::icosphere(4);
+  for (Point3& point : sphere.points)
+  {
+    point = { point.x(), 0.0, 0.0 };
+  }
+  TriangleSoup soup = sphere;
+  test::append(soup, test::makeSoup({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }),
+    { 5.0, 0.0, 0.0 });
+  SurfaceMesh mesh;
+  IntakeReport report;
+  CHECK(test::takeIn(soup, mesh, report).ok());
+  CHECK_EQUAL(mesh.numberOfFacets(), 1);
+  CHECK(test::takeIn(sphere, mesh, report).code == StatusCode::EmptyInput);
+}
 }
 
 int TestCapSplit(int, char*[])
@@ -150,5 +168,6 @@ int TestCapSplit(int, char*[])
   testBorder();
   testManySheets();
   testTwins();
+  testCollapsed();
   return test::result();
 }

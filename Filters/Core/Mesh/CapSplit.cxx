@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <deque>
 #include <unordered_map>
+#include <utility>
 
 namespace remesh
 {
 namespace
 {
 /** Each split makes a shorter side of a longer one; a bound for what rounding might make of it. */
-constexpr std::size_t mostSplits = 64; // for each cap there was
+constexpr std::size_t mostSplits = 16; // for each cap there was
 
 class CapSplit
 {
@@ -23,7 +24,7 @@ public:
   {
   }
 
-  void run()
+  void run(const RunControl& control)
   {
     std::deque<Index> caps;
     std::vector<char> isCorner(m_draft.points.size(), 0);
@@ -56,7 +57,8 @@ public:
       m_draft.facetInputs.push_back(m_soup.triangles[triangle]);
     }
     for (std::size_t splits = mostSplits * caps.size(); !caps.empty() && splits > 0 &&
-         static_cast<std::int64_t>(m_draft.facets.size()) < maximumInputTriangles;
+         static_cast<std::int64_t>(m_draft.facets.size()) < maximumInputTriangles &&
+         !control.cancelled();
          --splits)
     {
       this->replace(caps.front(), caps);
@@ -132,8 +134,10 @@ private:
     }
     const int k = this->middleOf(cap);
     const Triple corners = m_draft.facets[cap];
+    const Offset inputPoint = m_draft.facetInputs[cap][k];
     this->leave(cap);
     m_gone[cap] = 1;
+    m_free = cap;
     const std::vector<Index> neighbors =
       m_around[keyOf(corners[(k + 1) % 3], corners[(k + 2) % 3])];
     for (const Index neighbor : neighbors)
@@ -142,7 +146,7 @@ private:
       {
         continue;
       }
-      this->split(neighbor, corners[k], m_draft.facetInputs[cap][k], corners, caps);
+      this->split(neighbor, corners[k], inputPoint, corners, caps);
     }
   }
 
@@ -161,12 +165,11 @@ private:
     this->leave(facet);
     const int first = (far + 1) % 3;
     const int second = (far + 2) % 3;
-    const auto part = static_cast<Index>(m_draft.facets.size());
-    m_draft.facets.push_back(whole);
-    m_draft.facetTriangles.push_back(m_draft.facetTriangles[facet]);
-    m_draft.facetInputs.push_back(inputs);
-    m_marked.push_back(0);
-    m_gone.push_back(0);
+    const Index part = this->placeForFacet();
+    m_draft.facets[part] = whole;
+    m_draft.facetTriangles[part] = m_draft.facetTriangles[facet];
+    m_draft.facetInputs[part] = inputs;
+    m_marked[part] = m_gone[part] = 0;
     m_draft.facets[facet][second] = point;
     m_draft.facetInputs[facet][second] = inputPoint;
     m_draft.facets[part][first] = point;
@@ -183,6 +186,22 @@ private:
     }
   }
 
+  /** That of the cap that goes, for the first part: so many splits take no memory. */
+  Index placeForFacet()
+  {
+    if (m_free != noIndex)
+    {
+      return std::exchange(m_free, noIndex);
+    }
+    const std::size_t count = m_draft.facets.size();
+    m_draft.facets.resize(count + 1);
+    m_draft.facetTriangles.resize(count + 1);
+    m_draft.facetInputs.resize(count + 1);
+    m_marked.resize(count + 1);
+    m_gone.resize(count + 1);
+    return static_cast<Index>(count);
+  }
+
   static bool has(const Triple& corners, Index point)
   {
     return std::find(corners.begin(), corners.end(), point) != corners.end();
@@ -191,13 +210,15 @@ private:
   const TriangleSoup& m_soup;
   std::vector<unsigned char>& m_marked;
   Draft& m_draft;
+  Index m_free = noIndex;                                         ///< a place in the draft
   std::vector<char> m_gone;                                       ///< F
   std::unordered_map<std::uint64_t, std::vector<Index>> m_around; ///< the facets of a side
 };
 }
 
-void splitAtCaps(const TriangleSoup& soup, std::vector<unsigned char>& marked, Draft& draft)
+void splitAtCaps(const TriangleSoup& soup, const RunControl& control,
+  std::vector<unsigned char>& marked, Draft& draft)
 {
-  CapSplit(soup, marked, draft).run();
+  CapSplit(soup, marked, draft).run(control);
 }
 }

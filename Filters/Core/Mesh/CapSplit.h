@@ -19,9 +19,11 @@ namespace remesh
  *
  * @param marked F, the facets without area. Parts without area that come about are marked, too, and
  *        split in turn; in the end none of the marked ones is needed.
- * Cost: O(C log C + F) for C such facets; nothing without any.
+ * @param control asked for cancellation; some are left then.
+ * Cost: O(C + F) for C such facets, expected, where the facets around each side are few.
  */
-void splitAtCaps(const TriangleSoup& soup, std::vector<unsigned char>& marked, Draft& draft);
+void splitAtCaps(const TriangleSoup& soup, const RunControl& control,
+  std::vector<unsigned char>& marked, Draft& draft);
 }
 
 #endif

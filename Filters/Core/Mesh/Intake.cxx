@@ -100,10 +100,16 @@ Status dropBadFacets(
     return Status::cancelled();
   }
   report.droppedDegenerate = std::count(marked.begin(), marked.end(), 1);
-  splitAtCaps(soup, marked, draft);
-  removeFacets(marked, draft);
-  report.addedBySplits =
-    static_cast<Offset>(draft.facets.size()) + report.droppedDegenerate - count;
+  if (report.droppedDegenerate > 0)
+  {
+    if (report.droppedDegenerate < count) // else there is nothing to keep joined
+    {
+      splitAtCaps(soup, control, marked, draft);
+    }
+    removeFacets(marked, draft);
+    report.addedBySplits =
+      static_cast<Offset>(draft.facets.size()) + report.droppedDegenerate - count;
+  }
   report.droppedDuplicate = removeFacets(findDuplicates(draft.facets, control), draft);
   if (control.cancelled())
   {
