@@ -16,10 +16,11 @@
 
 namespace remesh::test
 {
-/** A smooth function of a point for each k. */
+/** A function of a point for each k, smooth enough for the cells of few points to be disks. */
 inline double wave(const double x[3], int k)
 {
-  return 0.1 * std::sin((1.0 + 0.01 * k) * x[k % 3] + 0.3 * x[(k + 1) % 3] + k);
+  const double frequency = 1.0 + 0.01 * (k % 70);
+  return 0.1 * std::sin(frequency * x[k % 3] + 0.3 * x[(k + 1) % 3] + k);
 }
 
 template <class Array>
