@@ -4,6 +4,7 @@
 #include "Placement/StepLimit.h"
 
 #include <optional>
+#include <utility>
 
 namespace remesh
 {
@@ -12,14 +13,15 @@ namespace
 // With fewer, the triangles come closer to the samples than to what is between.
 constexpr int samplesPerVertex = 40;
 constexpr int coarseSamples = 18; // in all but the last rounds
-constexpr int rounds = 8;
+constexpr int rounds = 6;
 constexpr int fineRounds = 2;
 /**
- * How far the first rounds go along their displacements: feet that slide in their triangles come
- * along a round late. Rounds at the full step end what longer ones overshoot.
+ * How far all but the last round go along their displacements, and how much of the way of the round
+ * before the coarse ones go once more: feet that slide in their triangles come along a round late.
+ * The rounds after them end what these overshoot.
  */
-constexpr double relaxation = 1.6;
-constexpr int fullRounds = 3;
+constexpr double relaxation = 1.5;
+constexpr double momentum = 0.3;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-2 }; // the next round sees to the rest
 }
 
@@ -31,8 +33,10 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
   FitSystem system = makeFitSystem(problem, edges);
   std::optional<FitSamples> samples;
   samples.emplace(problem, coarseSamples);
+  std::vector<Point3> before = positions; // the last round
   for (int round = 0; round < rounds; ++round)
   {
+    const bool isCoarse = round + fineRounds < rounds;
     if (round + fineRounds == rounds)
     {
       // For two rounds, keeping these takes as long as making them again.
@@ -48,18 +52,24 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
     {
       return Status::cancelled();
     }
-    const double step = round + fullRounds < rounds ? relaxation : 1.0;
+    const double step = round + 1 < rounds ? relaxation : 1.0;
+    const double again = isCoarse ? momentum : 0.0;
     std::vector<Point3> goals(positions.size());
     for (std::size_t v = 0; v < goals.size(); ++v)
     {
       const bool moves = !system.frozen[v] && displacements[v].allFinite();
-      goals[v] = moves ? Point3(positions[v] + step * displacements[v]) : positions[v];
+      goals[v] = positions[v];
+      if (moves)
+      {
+        goals[v] += step * displacements[v] + again * (positions[v] - before[v]);
+      }
     }
     if (!limitSteps(problem, stars, { shapes, system.triangleNormals }, positions, control, goals))
     {
       return Status::cancelled();
     }
-    positions.swap(goals);
+    before = std::move(positions);
+    positions = std::move(goals);
     control.report((round + 1.0) / rounds);
   }
   return Status::success();

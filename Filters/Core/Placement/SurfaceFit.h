@@ -16,9 +16,10 @@ namespace remesh
  *
  * Rounds of: tie samples of the surface to their closest points on the mesh; solve for the
  * displacements that minimise the squared distances of those points from the samples' planes; go
- * there, or in the first rounds beyond (over-relaxation), as far as no triangle turns or collapses
- * (StepLimit.h). Vertices on a surface lie on one side of it where it bends; fitted ones share the
- * error out to both sides, which on a convex surface makes it a quarter.
+ * there, or in all but the last round beyond (over-relaxation, and at first momentum), as far as no
+ * triangle turns or collapses (StepLimit.h). Vertices on a surface lie on one side of it where it
+ * bends; fitted ones share the error out to both sides, which on a convex surface makes it a
+ * quarter.
  *
  * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
  * @param positions K, R^3; replaced but at fixed vertices.
