@@ -8,9 +8,9 @@ if (ANISOTROPIC_REMESHING_WARNINGS_AS_ERRORS)
   set(anisotropic_remeshing_warnings -Wall -Wextra -Werror)
 endif ()
 
-# Headers of other libraries that nearly every source needs, for target_precompile_headers(): without,
-# building takes half as long again. Sources include what they use all the same: it is possible
-# without, with CMAKE_DISABLE_PRECOMPILE_HEADERS (as for ccache).
+# Headers of other libraries that nearly every source needs, for target_precompile_headers(): without
+# them, building takes half as long again. Sources include what they use all the same, so that
+# CMAKE_DISABLE_PRECOMPILE_HEADERS (as for ccache) builds, too.
 set(anisotropic_remeshing_headers
   <Eigen/Geometry> <algorithm> <cmath> <functional> <iostream> <limits> <map> <memory> <sstream>
   <string> <utility> <vector>)

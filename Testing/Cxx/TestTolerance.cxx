@@ -41,7 +41,6 @@ Point3 comparison(vtkPolyData* mesh, vtkPolyData* reference)
   vtkNew<vtkSurfaceMeshComparison> filter;
   filter->SetInputData(mesh);
   filter->SetReferenceData(reference);
-  filter->SetNumberOfSamples(50000);
   filter->Update();
   vtkTable* summary = filter->GetSummaryOutput();
   const auto value = [&](const char* column)
