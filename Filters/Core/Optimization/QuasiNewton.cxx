@@ -1,9 +1,9 @@
 #include "Optimization/QuasiNewton.h"
 
-#include "Optimization/BlockedVectors.h"
 #include "Optimization/EmptyCells.h"
 #include "Optimization/FixedSites.h"
-#include "Support/Bfloat16.h"
+#include "Optimization/HistoryPass.h"
+#include "Support/BlockedVectors.h"
 
 #include <Eigen/Core>
 
@@ -22,115 +22,153 @@ constexpr double longestStep = 2.0; // times the root mean square radius of the 
 /** One pair of the history. */
 struct Correction
 {
-  static_assert(2 * sizeof(Bfloat16) == historyBytes);
+  static_assert(2 * sizeof(HalvedNumbers::value_type) / 2 == historyBytes);
 
-  std::vector<Bfloat16> step;
-  std::vector<Bfloat16> change; ///< of the gradient
-  double product = 0.0;         ///< step . change > 0
+  HalvedNumbers step;
+  HalvedNumbers change; ///< of the gradient
+  double product = 0.0; ///< step . change > 0
 };
 
 /** The limited-memory approximation of the inverse Hessian. */
 class InverseHessian
 {
 public:
-  InverseHessian(int length, const BlockedVectors& vectors)
+  InverseHessian(
+    int length, std::size_t size, const BlockedVectors& vectors, const RunControl& control)
     : m_length(static_cast<std::size_t>(std::max(length, 0)))
+    , m_size(size)
     , m_vectors(vectors)
+    , m_groups(
+        static_cast<Offset>((size + groupOfNumbers - 1) / groupOfNumbers), groupOfNumbers, control)
   {
   }
 
   void clear() { m_history.clear(); }
 
-  /** Takes in a step t p and the gradient's change from -2 before to -2 after. */
-  void update(const std::vector<double>& direction, double length,
-    const std::vector<double>& momentBefore, const std::vector<double>& momentAfter)
+  /** Takes in a step and the gradient's change from -2 moment before to after. */
+  void update(
+    const Sites& sites, const CellSums& sums, const Sites& newSites, const CellSums& newSums)
   {
     if (m_length == 0)
     {
       return;
     }
-    const auto stepAt = [&](std::size_t k)
-    { return Bfloat16(static_cast<float>(length * direction[k])); };
-    const auto changeAt = [&](std::size_t k)
-    { return Bfloat16(static_cast<float>(2.0 * (momentBefore[k] - momentAfter[k]))); };
-    const double product = m_vectors.sum([&](std::size_t k)
-      { return static_cast<double>(stepAt(k)) * static_cast<double>(changeAt(k)); });
-    if (!(product > 0.0))
+    Correction pair{ HalvedNumbers(m_groups.size() / 2), HalvedNumbers(m_groups.size() / 2), 0.0 };
+    pair.product = m_groups.sumOfBlocks(
+      [&](std::size_t begin, std::size_t end)
+      {
+        return m_passes.pair({ sites.coordinates.data() + begin,
+          newSites.coordinates.data() + begin, sums.moment.data() + begin,
+          newSums.moment.data() + begin, std::min(end, m_size) - begin,
+          pair.step.data() + begin / 2, pair.change.data() + begin / 2 });
+      });
+    if (!(pair.product > 0.0))
     {
       return; // and the oldest pair stays
     }
-    Correction pair;
     if (m_history.size() == m_length)
     {
-      pair = std::move(m_history.front()); // for its memory
       m_history.pop_front();
     }
-    pair.product = product;
-    pair.step.resize(direction.size());
-    pair.change.resize(direction.size());
-    m_vectors.forEach(
-      [&](std::size_t k)
-      {
-        pair.step[k] = stepAt(k);
-        pair.change[k] = changeAt(k);
-      });
     m_history.push_back(std::move(pair));
   }
 
   /** Direction -H g with g = -2 moment and the initial H = gamma diag(1 / (2 m_i)). */
-  void descend(const CellSums& sums, int dimension, std::vector<double>& direction) const
+  void descend(const CellSums& sums, std::vector<double>& direction) const
   {
-    direction.resize(sums.moment.size());
-    m_vectors.forEach([&](std::size_t k) { direction[k] = 2.0 * sums.moment[k]; });
-    std::vector<double> factors(m_history.size());
-    for (std::size_t h = m_history.size(); h-- > 0;)
+    direction.resize(m_size);
+    if (m_history.empty())
     {
-      const Correction& pair = m_history[h];
-      factors[h] =
-        m_vectors.sum([&](std::size_t k) { return pair.step[k] * direction[k]; }) / pair.product;
-      m_vectors.forEach([&](std::size_t k) { direction[k] -= factors[h] * pair.change[k]; });
+      this->divideByMass(sums, sums.moment, 2.0, direction); // Lloyd's step
+      return;
     }
-    const auto d = static_cast<std::size_t>(dimension);
-    const double gamma = this->curvatureScale(sums, d);
-    m_vectors.forEach(
-      [&](std::size_t k)
-      {
-        const double mass = sums.mass[k / d];
-        direction[k] = mass > 0.0 ? gamma * direction[k] / (2.0 * mass) : 0.0;
-      });
-    for (std::size_t h = 0; h < m_history.size(); ++h)
+    std::vector<float> work(m_groups.size());
+    m_vectors.forEach([&](std::size_t k) { work[k] = static_cast<float>(2.0 * sums.moment[k]); });
+    const std::size_t length = m_history.size();
+    const auto step = [&](std::size_t h)
+    { return h < length ? m_history[h].step.data() : nullptr; };
+    const auto change = [&](std::size_t h)
+    { return h < length ? m_history[h].change.data() : nullptr; };
+    std::vector<double> factors(length);
+    double product = this->pass(work, 0.0, nullptr, step(length - 1));
+    for (std::size_t h = length; h-- > 0;)
     {
-      const Correction& pair = m_history[h];
-      const double factor = factors[h] -
-        m_vectors.sum([&](std::size_t k) { return pair.change[k] * direction[k]; }) / pair.product;
-      m_vectors.forEach([&](std::size_t k) { direction[k] += factor * pair.step[k]; });
+      factors[h] = product / m_history[h].product;
+      product = this->pass(work, -factors[h], change(h), step(h - 1)); // none before the oldest
     }
+    this->divideByMass(sums, work, this->curvatureScale(sums), work);
+    product = this->pass(work, 0.0, nullptr, change(0));
+    for (std::size_t h = 0; h < length; ++h)
+    {
+      const double factor = factors[h] - product / m_history[h].product;
+      product = this->pass(work, factor, step(h), change(h + 1));
+    }
+    m_vectors.forEach([&](std::size_t k) { direction[k] = work[k]; });
   }
 
 private:
+  /** A pass of the recursion over all of the vector. */
+  double pass(std::vector<float>& vector, double factor, const std::uint32_t* added,
+    const std::uint32_t* next) const
+  {
+    return m_groups.sumOfBlocks(
+      [&](std::size_t begin, std::size_t end)
+      {
+        return m_passes.recur(
+          { vector.data() + begin, (end - begin) / groupOfNumbers, static_cast<float>(factor),
+            added ? added + begin / 2 : nullptr, next ? next + begin / 2 : nullptr });
+      });
+  }
+
+  /** The product of `factor` diag(1 / (2 m_i)) and the vector `from`. */
+  template <class From, class To>
+  void divideByMass(const CellSums& sums, const From& from, double factor, To& to) const
+  {
+    m_vectors.forEachInRows(
+      [&](std::size_t i, std::size_t k)
+      {
+        const double mass = sums.mass[i];
+        const double value = mass > 0.0 ? factor * from[k] / (2.0 * mass) : 0.0;
+        to[k] = static_cast<typename To::value_type>(value);
+      });
+  }
+
   /**
    * The factor that makes the initial Hessian fit the last step's curvature, at least Lloyd's:
    * diag(2 m_i) bounds the Hessian from above.
    */
-  double curvatureScale(const CellSums& sums, std::size_t dimension) const
+  double curvatureScale(const CellSums& sums) const
   {
     if (m_history.empty())
     {
       return 1.0;
     }
     const Correction& last = m_history.back();
-    const double scaled = m_vectors.sum(
-      [&](std::size_t k)
+    const std::size_t d = m_size / sums.mass.size();
+    const double scaled = m_vectors.sumOfBlocks(
+      [&](std::size_t begin, std::size_t end)
       {
-        const double change = last.change[k];
-        const double mass = sums.mass[k / dimension];
-        return mass > 0.0 ? change * change / (2.0 * mass) : 0.0;
+        double sum = 0.0;
+        for (std::size_t i = begin / d; i < end / d; ++i)
+        {
+          double squared = 0.0;
+          for (std::size_t k = i * d; k < (i + 1) * d; ++k)
+          {
+            const double change = numberOf(last.change, k);
+            squared += change * change;
+          }
+          sum += sums.mass[i] > 0.0 ? squared / (2.0 * sums.mass[i]) : 0.0;
+        }
+        return sum;
       });
     return scaled > 0.0 ? std::max(1.0, last.product / scaled) : 1.0;
   }
 
   std::size_t m_length;
+  std::size_t m_size; ///< of the vectors
   const BlockedVectors& m_vectors;
+  BlockedVectors m_groups; ///< of the history
+  HistoryPasses m_passes = historyPasses(widestInstructionSet());
   std::deque<Correction> m_history; ///< oldest first
 };
 
@@ -138,19 +176,20 @@ private:
  * Shortens the steps that leave their cell's surroundings, of which the energy at hand tells
  * nothing: a cell that has become small since the history was written makes its site leap.
  */
-void stayNear(const CellSums& sums, int dimension, std::vector<double>& direction)
+void stayNear(const CellSums& sums, const BlockedVectors& vectors, std::vector<double>& direction)
 {
-  const auto d = static_cast<std::size_t>(dimension);
-  for (std::size_t i = 0; i < sums.mass.size(); ++i)
-  {
-    Eigen::Map<Eigen::VectorXd> step(direction.data() + i * d, dimension);
-    const double most =
-      sums.mass[i] > 0.0 ? longestStep * std::sqrt(sums.energy[i] / sums.mass[i]) : 0.0;
-    if (const double length = step.norm(); length > most)
+  const std::size_t d = direction.size() / sums.mass.size();
+  vectors.forEachRow(
+    [&](std::size_t i)
     {
-      step *= most / length;
-    }
-  }
+      Eigen::Map<Eigen::VectorXd> step(direction.data() + i * d, static_cast<Eigen::Index>(d));
+      const double most =
+        sums.mass[i] > 0.0 ? longestStep * std::sqrt(sums.energy[i] / sums.mass[i]) : 0.0;
+      if (const double length = step.norm(); length > most)
+      {
+        step *= most / length;
+      }
+    });
 }
 
 /** Where the line search is, and what it found there. */
@@ -178,10 +217,9 @@ double slopeAlong(
 
 /** Backtracks from the unit step until the energy has fallen enough. */
 Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& sums,
-  const std::vector<double>& direction, const BlockedVectors& vectors, const RunControl& control,
-  Trial& trial)
+  const std::vector<double>& direction, double slope, const BlockedVectors& vectors,
+  const RunControl& control, Trial& trial)
 {
-  const double slope = slopeAlong(sums, direction, vectors);
   trial.sites.dimension = sites.dimension;
   trial.sites.fixed = sites.fixed;
   trial.sites.coordinates.resize(sites.coordinates.size());
@@ -232,22 +270,25 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
   const QuasiNewtonOptions& options, std::uint64_t seed, const RunControl& control, Sites& sites,
   CellSums& sums, Convergence& convergence, Index& emptyCells)
 {
-  const BlockedVectors vectors(sites.coordinates.size(), control);
-  InverseHessian hessian(historyWithin(surface, sites.count(), options.historyLength), vectors);
+  const BlockedVectors vectors(sites.count(), sites.dimension, control);
+  InverseHessian hessian(historyWithin(surface, sites.count(), options.historyLength),
+    sites.coordinates.size(), vectors, control);
   const double gradientBound = options.gradientTolerance * convergence.rows.front().gradientNorm;
   std::vector<double> direction;
   Trial trial;
   for (int step = 0; step < options.iterations && sums.gradientNorm > gradientBound; ++step)
   {
-    hessian.descend(sums, sites.dimension, direction);
-    stayNear(sums, sites.dimension, direction);
-    if (!(slopeAlong(sums, direction, vectors) < 0.0))
+    hessian.descend(sums, direction);
+    stayNear(sums, vectors, direction);
+    double slope = slopeAlong(sums, direction, vectors);
+    if (!(slope < 0.0))
     {
       hessian.clear(); // the history misleads: Lloyd's direction always descends
-      hessian.descend(sums, sites.dimension, direction);
+      hessian.descend(sums, direction);
+      slope = slopeAlong(sums, direction, vectors);
     }
-    if (Status status = search(
-          voronoi, sites, sums, direction, vectors, control.step(step, options.iterations), trial);
+    if (Status status = search(voronoi, sites, sums, direction, slope, vectors,
+          control.step(step, options.iterations), trial);
         !status.ok())
     {
       return status;
@@ -256,7 +297,7 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
     {
       break; // rounding is all that is left to gain
     }
-    hessian.update(direction, trial.length, sums.moment, trial.sums.moment);
+    hessian.update(sites, sums, trial.sites, trial.sums);
     if (countEmptyFree(trial.sites, trial.sums) > 0)
     {
       hessian.clear();

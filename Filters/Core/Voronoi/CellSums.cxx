@@ -1,6 +1,6 @@
 #include "Voronoi/CellSums.h"
 
-#include "Support/Parallel.h"
+#include "Support/BlockedVectors.h"
 
 #include <cmath>
 #include <utility>
@@ -80,7 +80,7 @@ double* BlockAccumulator<D>::valuesOf(Index site)
     m_blockOfSlot[site] = m_block;
     m_slotOfSite[site] = static_cast<Index>(m_sums->sites.size());
     m_sums->sites.push_back(site);
-    m_sums->values.resize(m_sums->values.size() + stride, 0.0);
+    m_sums->values.resize(m_sums->values.size() + stride); // zeros
   }
   return m_sums->values.data() + static_cast<std::size_t>(m_slotOfSite[site]) * stride;
 }
@@ -207,18 +207,15 @@ Status addBlocks(
   return done ? Status::success() : Status::cancelled();
 }
 
-void finishSums(CellSums& sums)
+Status finishSums(int dimension, const RunControl& control, CellSums& sums)
 {
-  sums.totalEnergy = 0.0;
-  for (const double energy : sums.energy)
-  {
-    sums.totalEnergy += energy;
-  }
-  double squared = 0.0;
-  for (const double moment : sums.moment)
-  {
-    squared += moment * moment;
-  }
+  const auto n = static_cast<Offset>(sums.mass.size());
+  const BlockedVectors energies(n, 1, control);
+  sums.totalEnergy = energies.sum([&](std::size_t k) { return sums.energy[k]; });
+  const BlockedVectors moments(n, dimension, control);
+  const double squared =
+    moments.sum([&](std::size_t k) { return sums.moment[k] * sums.moment[k]; });
   sums.gradientNorm = 2.0 * std::sqrt(squared);
+  return energies.complete() && moments.complete() ? Status::success() : Status::cancelled();
 }
 }

@@ -91,7 +91,7 @@ Status addBlocks(
   const std::vector<BlockSums>& blocks, int dimension, const RunControl& control, CellSums& sums);
 
 /** The sums over all sites, when all blocks are there. */
-void finishSums(CellSums& sums);
+Status finishSums(int dimension, const RunControl& control, CellSums& sums);
 }
 
 #endif

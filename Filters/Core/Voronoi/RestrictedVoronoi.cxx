@@ -205,7 +205,10 @@ Status RestrictedVoronoi::cut(const Sites& sites, const KeptPieces* kept, const 
     timer.next(m_times.clipping);
   }
   timer.next(m_times.reduction);
-  finishSums(sums);
+  if (Status status = finishSums(m_surface.dimension, control.silent(), sums); !status.ok())
+  {
+    return status;
+  }
   if (diagram)
   {
     pieces = std::vector<DiagramBlock>(); // which frees it; {} would keep the memory
