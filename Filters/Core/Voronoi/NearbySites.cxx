@@ -85,14 +85,17 @@ void NearbySites::within(Index site, double radius, std::vector<Neighbor>& found
   m_evaluate({ m_coordinates.data(), static_cast<int>(m_squared.size() / lanes), m_sites.dimension,
     m_sites.site(site), m_squared.data() });
   const double most = radius * radius;
-  found.resize(m_candidates.size());
-  std::size_t count = 0;
+  if (m_near.size() < m_candidates.size())
+  {
+    m_near.resize(m_candidates.size());
+  }
+  std::ptrdiff_t count = 0;
   for (std::size_t c = 0; c < m_candidates.size(); ++c)
   {
-    found[count] = { m_candidates[c].site, m_squared[c] };
+    m_near[count] = { m_candidates[c].site, m_squared[c] };
     count += m_squared[c] < most ? 1 : 0; // no branch to foresee
   }
-  found.resize(count);
+  found.assign(m_near.begin(), m_near.begin() + count);
   for (Neighbor& neighbor : found)
   {
     neighbor.distance = std::sqrt(neighbor.distance);

@@ -100,6 +100,7 @@ private:
   bool m_alone = false;              ///< one site is in hand, and the candidates are its answer
   std::vector<double> m_coordinates; ///< of the candidates, see SiteDistances
   std::vector<double> m_squared;
+  std::vector<Neighbor> m_near; ///< scratch
 };
 }
 

@@ -94,7 +94,12 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
   {
     return this->build(sites, control);
   }
-  if (!this->findLeapers(sites, control.silent()))
+  const std::vector<Index> leapers = this->findLeapers();
+  if (this->worn()) // by the usual moves alone
+  {
+    return this->build(sites, control);
+  }
+  if (!this->measureLeapers(sites, leapers, control.silent()))
   {
     return Status::cancelled();
   }
@@ -135,9 +140,10 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
   return compared ? Status::success() : Status::cancelled();
 }
 
-bool NeighborLists::findLeapers(const Sites& sites, const RunControl& control)
+/** The few sites that moved farthest. */
+std::vector<Index> NeighborLists::findLeapers()
 {
-  const Offset count = sites.count();
+  const auto count = static_cast<Offset>(m_displacements.size());
   std::vector<Index> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
   const auto last = order.begin() + std::min(mostLeapers, count / sitesForLeaper);
@@ -148,17 +154,24 @@ bool NeighborLists::findLeapers(const Sites& sites, const RunControl& control)
                                                       : a < b;
     });
   m_usualDisplacement = m_displacements[*last];
+  order.erase(last, order.end());
+  return order;
+}
+
+bool NeighborLists::measureLeapers(
+  const Sites& sites, const std::vector<Index>& leapers, const RunControl& control)
+{
   return forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)
     {
       for (Offset k = begin; k < end; ++k)
       {
         double nearest = std::numeric_limits<double>::infinity();
-        for (auto leaper = order.begin(); leaper != last; ++leaper)
+        for (const Index leaper : leapers)
         {
           const double squared = squaredDistance<Eigen::Dynamic>(
-            sites.site(static_cast<Index>(k)), sites.site(*leaper), sites.dimension);
-          nearest = *leaper == k ? nearest : std::min(nearest, squared);
+            sites.site(static_cast<Index>(k)), sites.site(leaper), sites.dimension);
+          nearest = leaper == k ? nearest : std::min(nearest, squared);
         }
         m_leapers[k] = roundedDown(std::sqrt(nearest) / aboveRounding);
       }

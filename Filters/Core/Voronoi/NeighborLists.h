@@ -120,7 +120,9 @@ private:
   Status buildFor(const Sites& sites, const std::vector<Index>& listed, const RunControl& control);
   void makeRoom(std::size_t entries);
   Status measureDisplacements(const Sites& sites, const RunControl& control);
-  bool findLeapers(const Sites& sites, const RunControl& control);
+  std::vector<Index> findLeapers();
+  bool measureLeapers(
+    const Sites& sites, const std::vector<Index>& leapers, const RunControl& control);
   double meanReach() const;
   bool worn() const;
   double radiusLike(const Place& like) const;
