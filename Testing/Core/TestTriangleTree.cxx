@@ -56,6 +56,40 @@ void testAgainstAll(const TriangleSoup& soup)
   }
 }
 
+/** All pairs of triangles whose boxes meet are visited, none twice. */
+void testMeeting(const TriangleSoup& soup)
+{
+  const Surface surface(soup);
+  const TriangleTree tree(surface.view());
+  std::set<std::pair<Index, Index>> visited;
+  std::vector<Index> scratch;
+  for (Index group = 0; group < tree.numberOfGroups(); ++group)
+  {
+    tree.visitMeeting(group, scratch,
+      [&](Index slot, Index other)
+      {
+        CHECK(slot < other);
+        CHECK(visited.emplace(slot, other).second);
+      });
+  }
+  const auto boxOf = [&](Index slot)
+  {
+    const auto& [a, b, c] = tree.cornersOf(slot);
+    return Eigen::AlignedBox3d(a).extend(b).extend(c);
+  };
+  std::size_t meeting = 0;
+  for (Index slot = 0; slot < tree.size(); ++slot)
+  {
+    for (Index other = slot + 1; other < tree.size(); ++other)
+    {
+      const bool meets = boxOf(slot).intersects(boxOf(other));
+      CHECK(!meets || visited.count({ slot, other }) == 1);
+      meeting += meets;
+    }
+  }
+  CHECK(visited.size() <= 3 * meeting); // few others
+}
+
 void testSizes()
 {
   testAgainstAll(makeSoup({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
@@ -121,6 +155,10 @@ void testSides()
 
 int TestTriangleTree(int, char*[])
 {
+  testMeeting(makeSoup({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
+  testMeeting(tetrahedron());
+  testMeeting(gridPatch(40, 30));
+  testMeeting(torus(1.0, 0.3, 60, 25));
   testSizes();
   testSides();
   return result();

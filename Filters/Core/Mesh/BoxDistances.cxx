@@ -33,10 +33,35 @@ struct Evaluation
     store(sum, task.squared);
   }
 };
+
+struct Meeting
+{
+  [[gnu::always_inline]] static inline unsigned run(const BoxMeeting& task)
+  {
+    LaneBits apart{};
+    LaneBits negative;
+    Lanes bound;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      load(task.boxes.lower[axis], bound);
+      findNegative(task.upper[axis] - bound, negative);
+      apart |= negative;
+      load(task.boxes.upper[axis], bound);
+      findNegative(bound - task.lower[axis], negative);
+      apart |= negative;
+    }
+    return bitsOf(~apart);
+  }
+};
 }
 
 BoxDistanceEvaluation boxDistanceEvaluation(InstructionSet set)
 {
   return CompiledFor<Evaluation, const BoxDistances&>::select(set);
+}
+
+BoxMeetingEvaluation boxMeetingEvaluation(InstructionSet set)
+{
+  return CompiledFor<Meeting, const BoxMeeting&>::select(set);
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @file BoxDistances.h
- * @brief How far a point is from several boxes at once.
+ * @brief How far a point is from several boxes at once, and which of them another box meets.
  */
 #ifndef remesh_BoxDistances_h
 #define remesh_BoxDistances_h
@@ -27,8 +27,20 @@ struct BoxDistances
 
 using BoxDistanceEvaluation = void (*)(const BoxDistances&);
 
+/** The box with these corners (3 coordinates each) against all boxes of a group. */
+struct BoxMeeting
+{
+  const BoxGroup& boxes;
+  const double* lower;
+  const double* upper;
+};
+
+/** Returns a bit for each box that has a point in common with it. */
+using BoxMeetingEvaluation = unsigned (*)(const BoxMeeting&);
+
 /** Compiled for a set of instructions; all give the same bits. */
 BoxDistanceEvaluation boxDistanceEvaluation(InstructionSet set);
+BoxMeetingEvaluation boxMeetingEvaluation(InstructionSet set);
 }
 
 #endif

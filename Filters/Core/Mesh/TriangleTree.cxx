@@ -10,6 +10,12 @@
 
 namespace remesh
 {
+namespace
+{
+constexpr int laneBits = 3;
+static_assert(1 << laneBits == lanes);
+}
+
 TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
 {
   std::vector<Index> kept;
@@ -58,6 +64,19 @@ TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
   } while (this->findBoxes(static_cast<int>(m_levels.size()) - 1, control.silent()) && nodes > 1);
 }
 
+namespace
+{
+/** The box around all boxes of a group. */
+void findBox(const BoxGroup& boxes, Point3& lower, Point3& upper)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lower[axis] = *std::min_element(boxes.lower[axis], boxes.lower[axis] + lanes);
+    upper[axis] = *std::max_element(boxes.upper[axis], boxes.upper[axis] + lanes);
+  }
+}
+}
+
 bool TriangleTree::findBoxes(int level, const RunControl& control)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -73,12 +92,7 @@ bool TriangleTree::findBoxes(int level, const RunControl& control)
         Point3 upper = -lower;
         if (below && node * lanes + child < end)
         {
-          const BoxGroup& own = (*below)[node * lanes + child];
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            lower[axis] = *std::min_element(own.lower[axis], own.lower[axis] + lanes);
-            upper[axis] = *std::max_element(own.upper[axis], own.upper[axis] + lanes);
-          }
+          findBox((*below)[node * lanes + child], lower, upper);
         }
         const Offset first = below ? end : (node * lanes + child) * leafSize;
         for (Offset slot = first; slot < std::min(first + leafSize, end); ++slot)
@@ -96,6 +110,35 @@ bool TriangleTree::findBoxes(int level, const RunControl& control)
         }
       }
     });
+}
+
+/** The groups, from this one on, whose boxes meet this one's; in the tree's order. */
+void TriangleTree::findGroups(Index group, std::vector<Index>& groups) const
+{
+  Point3 lower;
+  Point3 upper;
+  findBox(m_levels.front()[group], lower, upper);
+  // Level by level, from the root, those nodes that have any such group.
+  groups.assign(1, 0);
+  std::vector<Index> children;
+  for (auto level = static_cast<int>(m_levels.size()) - 1; level > 0; --level)
+  {
+    const Index first = group >> (laneBits * (level - 1));
+    children.clear();
+    for (const Index node : groups)
+    {
+      for (unsigned bits = m_meet({ m_levels[level][node], lower.data(), upper.data() }); bits != 0;
+           bits &= bits - 1)
+      {
+        const Index child = node * lanes + __builtin_ctz(bits);
+        if (child >= first)
+        {
+          children.push_back(child);
+        }
+      }
+    }
+    groups.swap(children);
+  }
 }
 
 template <class Reaches, class Visit>

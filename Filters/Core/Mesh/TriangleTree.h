@@ -88,6 +88,44 @@ public:
    */
   void findWithin(const Point3& point, double distance, std::vector<Index>& slots) const;
 
+  /** The triangles are in so many groups of neighbours. */
+  Index numberOfGroups() const
+  {
+    return m_levels.empty() ? 0 : static_cast<Index>(m_levels.front().size());
+  }
+
+  /**
+   * Calls `visit(slot, other)` for the triangles of a group and all later ones in the tree that
+   * may meet them, for each pair once if it is called for all groups. From any thread.
+   *
+   * @param groups scratch.
+   */
+  template <class Visit>
+  void visitMeeting(Index group, std::vector<Index>& groups, const Visit& visit) const
+  {
+    this->findGroups(group, groups);
+    const Index last = std::min(this->size(), (group + 1) * groupSize);
+    for (Index slot = group * groupSize; slot < last; ++slot)
+    {
+      const auto& [a, b, c] = m_corners[slot];
+      const Point3 lower = a.cwiseMin(b).cwiseMin(c);
+      const Point3 upper = a.cwiseMax(b).cwiseMax(c);
+      for (const Index near : groups)
+      {
+        unsigned leaves = m_meet({ m_levels.front()[near], lower.data(), upper.data() });
+        for (; leaves != 0; leaves &= leaves - 1)
+        {
+          const Index first = near * groupSize + __builtin_ctz(leaves) * leafSize;
+          const Index end = std::min(this->size(), first + leafSize);
+          for (Index other = std::max(first, slot + 1); other < end; ++other)
+          {
+            visit(slot, other);
+          }
+        }
+      }
+    }
+  }
+
   /** The closest place of one triangle of the tree. */
   Place closestOn(Index slot, const Point3& point) const;
 
@@ -101,6 +139,7 @@ public:
 
 private:
   static constexpr Index leafSize = 2;
+  static constexpr Index groupSize = lanes * leafSize;
   static constexpr int mostLevels = 11; ///< more than any number of leaves needs
 
   /** A node or a leaf that is still to be looked into. */
@@ -113,6 +152,7 @@ private:
 
   Index leaves() const { return static_cast<Index>((m_ids.size() + leafSize - 1) / leafSize); }
   bool findBoxes(int level, const RunControl& control);
+  void findGroups(Index group, std::vector<Index>& groups) const;
 
   /**
    * Calls `visit(slot)` for the triangles of all leaves that are in reach: `reaches` tells that of
@@ -127,6 +167,7 @@ private:
    */
   std::vector<std::vector<BoxGroup>> m_levels;
   BoxDistanceEvaluation m_distances = boxDistanceEvaluation(widestInstructionSet());
+  BoxMeetingEvaluation m_meet = boxMeetingEvaluation(widestInstructionSet());
 };
 }
 

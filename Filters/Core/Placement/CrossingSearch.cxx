@@ -2,6 +2,7 @@
 
 #include "Placement/TriangleShape.h"
 #include "Support/Parallel.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 
@@ -9,6 +10,8 @@ namespace remesh
 {
 namespace
 {
+using Pairs = std::vector<std::pair<Index, Index>>;
+
 constexpr double rounding = 1e-13; // of volumes, to the cube of the largest length
 
 /** Six times the volume of a tetrahedron. */
@@ -85,7 +88,7 @@ CrossingSearch::CrossingSearch(const std::vector<Triple>& triangles,
 
 template <class Visit>
 void CrossingSearch::visitCrossing(
-  Index triangle, Index first, std::vector<Index>& slots, const Visit& visit) const
+  Index triangle, std::vector<Index>& slots, const Visit& visit) const
 {
   const Triple& own = m_triangles[triangle];
   const Corners corners = cornersOf(own, m_positions);
@@ -97,41 +100,71 @@ void CrossingSearch::visitCrossing(
   for (const Index slot : slots)
   {
     const Index other = m_tree.triangleOf(slot);
-    if (other >= first && !m_hasChanged[other] && areCrossing(own, m_triangles[other], m_positions))
+    if (!m_hasChanged[other] && areCrossing(own, m_triangles[other], m_positions))
     {
       visit(other);
     }
   }
   for (const Index other : m_changed)
   {
-    if (other >= first && areCrossing(own, m_triangles[other], m_positions))
+    if (areCrossing(own, m_triangles[other], m_positions))
     {
       visit(other);
     }
   }
 }
 
-Status CrossingSearch::find(
-  const RunControl& control, std::vector<std::pair<Index, Index>>& pairs) const
+Status CrossingSearch::find(const RunControl& control, Pairs& pairs) const
 {
   pairs.clear();
-  const Blocks blocks = Blocks::cut(static_cast<Offset>(m_triangles.size()), 64, 4096);
-  std::vector<std::vector<std::pair<Index, Index>>> found(static_cast<std::size_t>(blocks.count()));
-  const bool done = forEachBlock(blocks.count(), control,
+  std::vector<char> isInTree(m_triangles.size(), 0); // as it has been, with area
+  for (Index slot = 0; slot < m_tree.size(); ++slot)
+  {
+    const Index triangle = m_tree.triangleOf(slot);
+    isInTree[triangle] = m_hasChanged[triangle] == 0;
+  }
+  const Blocks groups = Blocks::cut(m_tree.numberOfGroups(), 64, 256);
+  const Blocks all = Blocks::cut(static_cast<Offset>(m_triangles.size()), 64, 4096);
+  std::vector<Pairs> found(static_cast<std::size_t>(groups.count() + all.count()));
+  bool done = forEachBlock(groups.count(), control.step(0, 2),
     [&](Offset block)
     {
-      std::vector<Index> slots;
-      for (auto t = static_cast<Index>(blocks.begin(block)); t < blocks.end(block); ++t)
+      std::vector<Index> scratch;
+      for (auto k = static_cast<Index>(groups.begin(block)); k < groups.end(block); ++k)
       {
-        this->visitCrossing(
-          t, t + 1, slots, [&](Index other) { found[block].emplace_back(t, other); });
+        m_tree.visitMeeting(k, scratch,
+          [&](Index slot, Index otherSlot)
+          {
+            const Index triangle = m_tree.triangleOf(slot);
+            const Index other = m_tree.triangleOf(otherSlot);
+            if (isInTree[triangle] && isInTree[other] &&
+              areCrossing(m_triangles[triangle], m_triangles[other], m_positions))
+            {
+              found[block].push_back(std::minmax(triangle, other));
+            }
+          });
       }
     });
-  for (const auto& some : found)
+  done = done &&
+    forEachBlock(all.count(), control.step(1, 2),
+      [&](Offset block)
+      {
+        std::vector<Index> slots;
+        Pairs& own = found[groups.count() + block];
+        for (auto t = static_cast<Index>(all.begin(block)); t < all.end(block); ++t)
+        {
+          if (!isInTree[t])
+          {
+            this->visitCrossing(
+              t, slots, [&](Index other) { own.push_back(std::minmax(t, other)); });
+          }
+        }
+      });
+  for (const Pairs& some : found)
   {
     pairs.insert(pairs.end(), some.begin(), some.end());
   }
-  std::sort(pairs.begin(), pairs.end());
+  sortUnique(pairs);
   return done ? Status::success() : Status::cancelled();
 }
 
@@ -139,7 +172,7 @@ Offset CrossingSearch::count(Index triangle) const
 {
   Offset crossing = 0;
   std::vector<Index> slots;
-  this->visitCrossing(triangle, 0, slots, [&](Index) { ++crossing; });
+  this->visitCrossing(triangle, slots, [&](Index) { ++crossing; });
   return crossing;
 }
 

@@ -49,10 +49,9 @@ public:
   void setChanged(Index triangle);
 
 private:
-  /** Those from the `first` on that go through a triangle. */
+  /** Those that go through a triangle. */
   template <class Visit>
-  void visitCrossing(
-    Index triangle, Index first, std::vector<Index>& slots, const Visit& visit) const;
+  void visitCrossing(Index triangle, std::vector<Index>& slots, const Visit& visit) const;
 
   const std::vector<Triple>& m_triangles;
   const std::vector<Point3>& m_positions;

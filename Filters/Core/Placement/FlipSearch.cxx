@@ -9,18 +9,25 @@
 namespace remesh
 {
 Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
-  const RunControl& control, std::vector<Index>& flipped)
+  const RunControl& control, std::vector<Index>& flipped, const std::vector<char>* suspects)
 {
   const bool first = m_triangles.empty();
-  m_isFlipped.resize(triangles.size());
-  std::optional<NormalCones> cones; // worth their time where all triangles are judged
   if (first)
+  {
+    m_isFlipped.assign(triangles.size(), 0);
+  }
+  std::optional<NormalCones> cones; // worth their time where all triangles are judged
+  if (first && !suspects)
   {
     cones.emplace(m_surface.problem(), control);
   }
   const auto isKnown = [&](std::size_t t)
   {
-    return !first && triangles[t] == m_triangles[t] &&
+    if (first)
+    {
+      return suspects && !(*suspects)[t];
+    }
+    return triangles[t] == m_triangles[t] &&
       std::all_of(triangles[t].begin(), triangles[t].end(),
         [&](Index v) { return positions[v] == m_positions[v]; });
   };

@@ -31,10 +31,12 @@ public:
    * alone where the cells bend far.
    *
    * @param triangles T, as many in each search.
+   * @param suspects T, if given: in the first search, no others are flipped.
    * @return Cancelled; then `flipped` is of no use.
    */
   Status find(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
-    const RunControl& control, std::vector<Index>& flipped);
+    const RunControl& control, std::vector<Index>& flipped,
+    const std::vector<char>* suspects = nullptr);
 
 private:
   const NearbySurface& m_surface;

@@ -13,7 +13,6 @@
 #include "Support/SortUnique.h"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 namespace remesh
@@ -217,28 +216,24 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   return status;
 }
 
-/** Whether a triangle faces against one of the surface's facets that are closest to it. */
-Status findAnyStray(const PlacementProblem& problem, const WholeSurface& whole,
+/** The triangles that face against one of the surface's facets that are closest to them. */
+Status findSuspects(const PlacementProblem& problem, const WholeSurface& whole,
   const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
-  const RunControl& control, bool& found)
+  const RunControl& control, std::vector<char>& suspects)
 {
-  std::atomic<bool> any = false;
+  suspects.assign(triangles.size(), 0);
   const bool done =
     forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control,
       [&](Offset begin, Offset end)
       {
-        for (Offset t = begin; t < end && !any; ++t)
+        for (Offset t = begin; t < end; ++t)
         {
           const auto [a, b, c] = cornersOf(triangles[t], positions);
           const Offset piece = problem.components.pieceBegin[triangles[t][0]];
           const Index nearby = problem.diagram.facets[problem.components.pieces[piece]];
-          if (whole.leastCosine((a + b + c) / 3.0, facetNormal(a, b, c), nearby) < 0.0)
-          {
-            any = true;
-          }
+          suspects[t] = whole.leastCosine((a + b + c) / 3.0, facetNormal(a, b, c), nearby) < 0.0;
         }
       });
-  found = any;
   return done ? Status::success() : Status::cancelled();
 }
 
@@ -251,17 +246,19 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
 {
   const WholeSurface whole(problem.mesh, control);
-  bool found = false;
+  std::vector<char> suspects;
   Status status =
-    findAnyStray(problem, whole, triangles, placement.positions, control.silent(), found);
-  if (!status.ok() || !found)
+    findSuspects(problem, whole, triangles, placement.positions, control.silent(), suspects);
+  if (!status.ok() || std::none_of(suspects.begin(), suspects.end(), [](char s) { return s; }))
   {
     return status;
   }
   const NearbySurface surface(problem, leastHeight(problem.mesh), &whole);
   FlipSearch search(surface);
   std::vector<Index> strays;
-  status = search.find(triangles, placement.positions, control, strays);
+  const bool noOthers = placement.repair.flippedTriangles == 0; // are flipped than suspects
+  status =
+    search.find(triangles, placement.positions, control, strays, noOthers ? &suspects : nullptr);
   const auto before = static_cast<Offset>(strays.size());
   if (!status.ok() || before == placement.repair.flippedTriangles ||
     before > mostStrays(static_cast<Offset>(triangles.size())))
