@@ -250,6 +250,7 @@ Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const Features& features, Offset mostPoints, double spacing, const RunControl& control,
   Stations& stations, FeatureSites& featureSites)
 {
+  const FeatureSiteMaker maker(mesh, surface, features);
   const Stations before = stations;
   const Index pointsBefore = featureSites.numberOfPoints();
   const double least = leastSection * spacing;
@@ -267,7 +268,7 @@ Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     if (isFull && 2 * intruders.size() > found)
     {
       stations = before;
-      featureSites = makeFeatureSites(mesh, surface, features, stations);
+      featureSites = maker.make(stations);
     }
     const Offset pointsSoFar = featureSites.numberOfPoints();
     Offset points = pointsSoFar;
@@ -293,7 +294,7 @@ Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     {
       break;
     }
-    featureSites = makeFeatureSites(mesh, surface, features, stations);
+    featureSites = maker.make(stations);
   }
   return featureSites.numberOfPoints() - pointsBefore;
 }

@@ -8,34 +8,67 @@
 
 namespace remesh
 {
-namespace
+FeatureSiteMaker::FeatureSiteMaker(
+  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features)
+  : m_mesh(mesh)
+  , m_surface(surface)
+  , m_features(features)
+  , m_facetOfCorner(mesh.cornerPoints.size(), { noIndex, 0 })
 {
+  const std::size_t count = mesh.cornerPoints.size();
+  m_cornersBegin.assign(mesh.points.size() + 1, 0);
+  for (const Index point : mesh.cornerPoints)
+  {
+    ++m_cornersBegin[static_cast<std::size_t>(point) + 1];
+  }
+  for (std::size_t p = 1; p < m_cornersBegin.size(); ++p)
+  {
+    m_cornersBegin[p] += m_cornersBegin[p - 1];
+  }
+  m_corners.resize(count);
+  std::vector<Offset> next(m_cornersBegin.begin(), m_cornersBegin.end() - 1);
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    m_corners[next[mesh.cornerPoints[c]]++] = static_cast<Index>(c);
+  }
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      auto& first = m_facetOfCorner[mesh.facetCorners[f][k]];
+      if (first.first == noIndex)
+      {
+        first = { f, k };
+      }
+    }
+  }
+}
+
 /** Makes the copies of one vertex after the other. */
-class Builder
+class FeatureSiteMaker::Builder
 {
 public:
-  Builder(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
-    FeatureSites& result)
-    : m_mesh(mesh)
-    , m_surface(surface)
-    , m_features(features)
+  Builder(const FeatureSiteMaker& maker, FeatureSites& result)
+    : m_maker(maker)
+    , m_mesh(maker.m_mesh)
+    , m_surface(maker.m_surface)
+    , m_features(maker.m_features)
     , m_result(result)
-    , m_coordinates(static_cast<std::size_t>(surface.dimension))
+    , m_coordinates(static_cast<std::size_t>(m_surface.dimension))
   {
-    result.sites.dimension = surface.dimension;
+    result.sites.dimension = m_surface.dimension;
     result.seatBegin.push_back(0);
-    this->listCorners();
   }
 
   /** A vertex at a point of the surface, with a copy for each corner there. */
   Index addAtPoint(Index point, Index curve)
   {
     this->begin(m_mesh.points[point], curve);
-    for (Offset i = m_cornersBegin[point]; i < m_cornersBegin[point + 1]; ++i)
+    for (Offset i = m_maker.m_cornersBegin[point]; i < m_maker.m_cornersBegin[point + 1]; ++i)
     {
-      const Index corner = m_corners[i];
+      const Index corner = m_maker.m_corners[i];
       std::copy_n(m_surface.corner(corner), m_surface.dimension, m_coordinates.begin());
-      const auto [facet, k] = m_facetOfCorner[corner];
+      const auto [facet, k] = m_maker.m_facetOfCorner[corner];
       Seat seat{ facet, { 0.0, 0.0, 0.0 }, this->copyHere() };
       seat.b[k] = 1.0;
       m_result.seats.push_back(seat);
@@ -76,38 +109,6 @@ public:
   }
 
 private:
-  void listCorners()
-  {
-    const std::size_t count = m_mesh.cornerPoints.size();
-    m_cornersBegin.assign(m_mesh.points.size() + 1, 0);
-    for (const Index point : m_mesh.cornerPoints)
-    {
-      ++m_cornersBegin[static_cast<std::size_t>(point) + 1];
-    }
-    for (std::size_t p = 1; p < m_cornersBegin.size(); ++p)
-    {
-      m_cornersBegin[p] += m_cornersBegin[p - 1];
-    }
-    m_corners.resize(count);
-    std::vector<Offset> next(m_cornersBegin.begin(), m_cornersBegin.end() - 1);
-    for (std::size_t c = 0; c < count; ++c)
-    {
-      m_corners[next[m_mesh.cornerPoints[c]]++] = static_cast<Index>(c);
-    }
-    m_facetOfCorner.assign(count, { noIndex, 0 });
-    for (Index f = 0; f < m_mesh.numberOfFacets(); ++f)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        auto& first = m_facetOfCorner[m_mesh.facetCorners[f][k]];
-        if (first.first == noIndex)
-        {
-          first = { f, k };
-        }
-      }
-    }
-  }
-
   /** Facet and place of the edge in it. */
   std::pair<Index, int> sideOf(Index edge, Index side) const
   {
@@ -143,16 +144,16 @@ private:
     return m_result.numberOfPoints() - 1;
   }
 
+  const FeatureSiteMaker& m_maker;
   const SurfaceMesh& m_mesh;
   const EmbeddedSurface& m_surface;
   const Features& m_features;
   FeatureSites& m_result;
   std::vector<double> m_coordinates;
-  std::vector<Offset> m_cornersBegin; ///< V + 1
-  std::vector<Index> m_corners;
-  std::vector<std::pair<Index, int>> m_facetOfCorner; ///< C
 };
 
+namespace
+{
 /** The curve's cells: each station's reaches half-way to the next. */
 void addCollar(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
   const std::vector<Station>& stations, Index curve, FeatureSites& result)
@@ -182,10 +183,7 @@ void addCollar(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Fe
     result.collar.push_back(std::move(edge));
   }
 }
-}
 
-namespace
-{
 constexpr double offset = 1e-8; // of the square root of the surface's measure
 
 /** Moves each site a little, by its place and nothing else. */
@@ -210,20 +208,19 @@ void shake(const EmbeddedSurface& surface, Sites& sites)
 }
 }
 
-FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Stations& stations)
+FeatureSites FeatureSiteMaker::make(const Stations& stations) const
 {
   FeatureSites result;
-  Builder builder(mesh, surface, features, result);
-  std::vector<Index> atCorner(mesh.points.size(), noIndex);
-  for (const Index point : features.corners)
+  Builder builder(*this, result);
+  std::vector<Index> atCorner(m_mesh.points.size(), noIndex);
+  for (const Index point : m_features.corners)
   {
     atCorner[point] = builder.addAtPoint(point, noIndex);
   }
   result.curvePoints.resize(stations.size());
   for (std::size_t c = 0; c < stations.size(); ++c)
   {
-    const FeatureCurve& curve = features.curves[c];
+    const FeatureCurve& curve = m_features.curves[c];
     std::vector<Index>& points = result.curvePoints[c];
     for (std::size_t k = 0; k < stations[c].size(); ++k)
     {
@@ -247,10 +244,10 @@ FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& su
           curve.points[station.segment], station.t, static_cast<Index>(c)));
       }
     }
-    addCollar(mesh, surface, features, stations[c], static_cast<Index>(c), result);
+    addCollar(m_mesh, m_surface, m_features, stations[c], static_cast<Index>(c), result);
   }
   result.sites.fixed = result.sites.count();
-  shake(surface, result.sites);
+  shake(m_surface, result.sites);
   return result;
 }
 }

@@ -63,19 +63,44 @@ struct FeatureSites
 };
 
 /**
- * Makes the sites for these places on the curves and all corners.
+ * Makes the sites for places on the curves and all corners.
  *
  * A vertex at a point of the surface has a copy for each corner there; one on an edge, for each
  * facet around it. Copies with equal coordinates are one site (both sides of a crease that ends
- * within its patch, where normals do not count). O(V + F).
+ * within its patch, where normals do not count).
  *
  * In the embedding the copies are off their places by up to 1e-8 of the square root of the
  * surface's measure (a millionth of the spacing of 10 000 sites), at random but for the same place
  * always alike: evenly spaced sites on a regular surface would meet at exactly one point in
  * fours, with pieces of no area.
  */
-FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Stations& stations);
+class FeatureSiteMaker
+{
+public:
+  /** All must outlive this object. O(V + F). */
+  FeatureSiteMaker(
+    const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features);
+
+  /** For these places. O(V + sites). */
+  FeatureSites make(const Stations& stations) const;
+
+private:
+  class Builder;
+
+  const SurfaceMesh& m_mesh;
+  const EmbeddedSurface& m_surface;
+  const Features& m_features;
+  std::vector<Offset> m_cornersBegin; ///< V + 1
+  std::vector<Index> m_corners;
+  std::vector<std::pair<Index, int>> m_facetOfCorner; ///< C
+};
+
+/** The same for one set of places. O(V + F). */
+inline FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
+  const Features& features, const Stations& stations)
+{
+  return FeatureSiteMaker(mesh, surface, features).make(stations);
+}
 }
 
 #endif

@@ -161,17 +161,30 @@ std::vector<Index> NeighborLists::findLeapers()
 bool NeighborLists::measureLeapers(
   const Sites& sites, const std::vector<Index>& leapers, const RunControl& control)
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto d = static_cast<std::size_t>(sites.dimension);
+  const auto groups = static_cast<int>((leapers.size() + lanes - 1) / lanes);
+  std::vector<double> coordinates(groups * lanes * d, infinity); // far away where there is none
+  for (std::size_t k = 0; k < leapers.size(); ++k)
+  {
+    for (std::size_t m = 0; m < d; ++m)
+    {
+      coordinates[(k / lanes * d + m) * lanes + k % lanes] = sites.site(leapers[k])[m];
+    }
+  }
+  const SiteDistanceEvaluation measure = siteDistanceEvaluation(widestInstructionSet());
   return forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)
     {
+      std::vector<double> squared(static_cast<std::size_t>(groups * lanes));
       for (Offset k = begin; k < end; ++k)
       {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const Index leaper : leapers)
+        measure({ coordinates.data(), groups, sites.dimension,
+          sites.site(static_cast<Index>(k)), squared.data() });
+        double nearest = infinity;
+        for (std::size_t leaper = 0; leaper < leapers.size(); ++leaper)
         {
-          const double squared = squaredDistance<Eigen::Dynamic>(
-            sites.site(static_cast<Index>(k)), sites.site(leaper), sites.dimension);
-          nearest = leaper == k ? nearest : std::min(nearest, squared);
+          nearest = leapers[leaper] == k ? nearest : std::min(nearest, squared[leaper]);
         }
         m_leapers[k] = roundedDown(std::sqrt(nearest) / aboveRounding);
       }
