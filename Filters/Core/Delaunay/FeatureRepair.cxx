@@ -1,5 +1,6 @@
 #include "Delaunay/FeatureRepair.h"
 
+#include "Features/CurveLevel.h"
 #include "Features/CurveSeparation.h"
 
 #include <algorithm>
@@ -68,6 +69,42 @@ std::vector<Intrusion> inwardFirst(
 }
 }
 
+namespace
+{
+/** Where a curve gets a place: see CurveLevel.h for sites that are on features themselves. */
+Station placeFor(const Intrusion& intrusion, const SurfaceMesh& mesh,
+  const EmbeddedSurface& surface, const Features& features, const FeatureSites& featureSites)
+{
+  if (intrusion.site >= featureSites.sites.count())
+  {
+    return intrusion.foot;
+  }
+  using Coordinates = Eigen::Map<const Eigen::VectorXd>;
+  const Coordinates site(featureSites.sites.site(intrusion.site), surface.dimension);
+  const FeatureCurve& curve = features.curves[intrusion.curve];
+  const Index edge = curve.edges[intrusion.foot.segment];
+  Eigen::VectorXd nearest; // of the foot's places on all sides
+  for (Offset i = features.edges.edgeFacetsBegin[edge];
+       i < features.edges.edgeFacetsBegin[edge + 1]; ++i)
+  {
+    const Index facet = features.edges.edgeFacets[i];
+    const int k = features.edges.sideOf(facet, edge);
+    const Triple& corners = mesh.facetCorners[facet];
+    const bool forward = mesh.facetPoints[facet][k] == curve.points[intrusion.foot.segment];
+    const double t = forward ? intrusion.foot.t : 1.0 - intrusion.foot.t;
+    const Coordinates start(surface.corner(corners[k]), surface.dimension);
+    const Coordinates end(surface.corner(corners[(k + 1) % 3]), surface.dimension);
+    const Eigen::VectorXd place = (1.0 - t) * start + t * end;
+    if (nearest.size() == 0 || (place - site).squaredNorm() < (nearest - site).squaredNorm())
+    {
+      nearest = place;
+    }
+  }
+  return levelWith(
+    mesh, features, featureSites, intrusion.site, intrusion.curve, intrusion.foot, nearest);
+}
+}
+
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const Features& features, const std::vector<Intrusion>& intrusions, const Sites& sites,
   Offset mostPoints, const RunControl& control, Stations& stations, FeatureSites& featureSites,
@@ -85,8 +122,11 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     {
       continue;
     }
-    if (insertStation(
-          lengths.of(intrusion.curve), intrusion.foot, 0.0, leastGap, stations[intrusion.curve]))
+    const std::vector<double>& along = lengths.of(intrusion.curve);
+    std::vector<Station>& places = stations[intrusion.curve];
+    const Station place = placeFor(intrusion, mesh, surface, features, featureSites);
+    if (insertStation(along, place, 0.0, leastGap, places) ||
+      insertStation(along, intrusion.foot, 0.0, leastGap, places))
     {
       ++count;
       if (intrusion.site >= sites.fixed)

@@ -11,7 +11,8 @@ namespace remesh
 {
 /**
  * A site whose cell reaches a curve between two of the curve's sites shows that the curve is too
- * coarse there: the curve gets a place at the point nearest to it. A free site is to go for it, so
+ * coarse there: the curve gets a place at the point nearest to it, or, if the site is on another
+ * curve that meets it in a corner, as far from that (CurveLevel.h). A free site is to go for it, so
  * that the number of vertices stays; one on a feature is not. Each section is divided once at
  * most, where it can be by the cell nearest to its middle.
  *

@@ -1,5 +1,6 @@
 #include "Features/CurveSeparation.h"
 
+#include "Features/CurveLevel.h"
 #include "Voronoi/NeighborSearch.h"
 
 #include <algorithm>
@@ -82,7 +83,7 @@ private:
     const CollarEdge& collar, Index owner, std::size_t station, double begin, double end)
   {
     const Eigen::VectorXd middle = this->placeAt(0.5 * (begin + end));
-    const Eigen::VectorXd site = this->nearestCopy(owner, middle);
+    const Eigen::VectorXd site = this->coordinates(nearestCopy(m_sites, owner, middle));
     const double half = 0.5 * (end - begin) * m_along.norm();
     const double radius =
       std::max((this->placeAt(begin) - site).norm(), (this->placeAt(end) - site).norm());
@@ -128,50 +129,9 @@ private:
     {
       intruder.foot = { collar.segment + 1, 0.0 };
     }
-    intruder.level = this->levelOf(intruder, site, t);
+    intruder.level =
+      levelWith(m_mesh, m_features, m_sites, site, intruder.curve, intruder.foot, this->placeAt(t));
     m_intruders.push_back(intruder);
-  }
-
-  /**
-   * Where curves meet in a corner, places of both at the same distance from it, in R^d, keep each
-   * other off: feet of feet would come ever closer to it.
-   */
-  Station levelOf(const Intruder& intruder, Index site, double t) const
-  {
-    Station level = intruder.foot;
-    const FeaturePoint& point = m_sites.points[m_sites.pointOfSite[site]];
-    if (point.isCorner || point.curve == intruder.curve)
-    {
-      return level;
-    }
-    const FeatureCurve& own = m_features.curves[intruder.curve];
-    const FeatureCurve& other = m_features.curves[point.curve];
-    const Index from = own.points[intruder.foot.segment];
-    const Point3 place = m_mesh.points[from] +
-      intruder.foot.t *
-        (m_mesh.points[own.points[intruder.foot.segment + 1]] - m_mesh.points[from]);
-    const Eigen::VectorXd foot = this->placeAt(t);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const bool front : { true, false })
-    {
-      const Index end = front ? own.points.front() : own.points.back();
-      if (!own.hasCorners || (end != other.points.front() && end != other.points.back()))
-      {
-        continue;
-      }
-      const std::vector<Index>& points = m_sites.curvePoints[intruder.curve];
-      const Eigen::VectorXd corner =
-        this->nearestCopy(front ? points.front() : points.back(), foot);
-      const double theirs = (this->coordinates(site) - corner).norm();
-      const double ours = (foot - corner).norm();
-      if (theirs < nearest && ours > 0.0)
-      {
-        nearest = theirs;
-        const double radius = (place - m_mesh.points[end]).norm() * theirs / ours;
-        level = stationAtRadius(m_mesh, own, front, radius);
-      }
-    }
-    return level;
   }
 
   /** Whether a feature point is one of those before and after a station. */
@@ -184,23 +144,6 @@ private:
       (station < last && points[station + 1] == point) ||
       (around && station == 0 && points[last - 1] == point) ||
       (around && station == last && points[1] == point);
-  }
-
-  /** Of the copies of a feature point, the one that belongs to this side. */
-  Eigen::VectorXd nearestCopy(Index point, const Eigen::VectorXd& place) const
-  {
-    const Index end =
-      point + 1 < m_sites.numberOfPoints() ? m_sites.firstCopy[point + 1] : m_sites.sites.count();
-    Index nearest = m_sites.firstCopy[point];
-    for (Index copy = nearest + 1; copy < end; ++copy)
-    {
-      if ((this->coordinates(copy) - place).squaredNorm() <
-        (this->coordinates(nearest) - place).squaredNorm())
-      {
-        nearest = copy;
-      }
-    }
-    return this->coordinates(nearest);
   }
 
   Coordinates coordinates(Index site) const

@@ -1,0 +1,70 @@
+#include "Features/CurveLevel.h"
+
+#include "Features/CurveSampling.h"
+
+#include <limits>
+
+namespace remesh
+{
+namespace
+{
+using Coordinates = Eigen::Map<const Eigen::VectorXd>;
+
+Coordinates coordinatesOf(const FeatureSites& sites, Index site)
+{
+  return Coordinates(sites.sites.site(site), sites.sites.dimension);
+}
+}
+
+Index nearestCopy(const FeatureSites& sites, Index point, const Eigen::VectorXd& place)
+{
+  const Index end =
+    point + 1 < sites.numberOfPoints() ? sites.firstCopy[point + 1] : sites.sites.count();
+  Index nearest = sites.firstCopy[point];
+  for (Index copy = nearest + 1; copy < end; ++copy)
+  {
+    if ((coordinatesOf(sites, copy) - place).squaredNorm() <
+      (coordinatesOf(sites, nearest) - place).squaredNorm())
+    {
+      nearest = copy;
+    }
+  }
+  return nearest;
+}
+
+Station levelWith(const SurfaceMesh& mesh, const Features& features, const FeatureSites& sites,
+  Index site, Index curve, const Station& foot, const Eigen::VectorXd& place)
+{
+  const FeaturePoint& point = sites.points[sites.pointOfSite[site]];
+  if (point.isCorner || point.curve == curve)
+  {
+    return foot;
+  }
+  const FeatureCurve& own = features.curves[curve];
+  const FeatureCurve& other = features.curves[point.curve];
+  const Point3& from = mesh.points[own.points[foot.segment]];
+  const Point3 at = from + foot.t * (mesh.points[own.points[foot.segment + 1]] - from);
+  Station level = foot;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const bool front : { true, false })
+  {
+    const Index end = front ? own.points.front() : own.points.back();
+    if (!own.hasCorners || (end != other.points.front() && end != other.points.back()))
+    {
+      continue;
+    }
+    const std::vector<Index>& points = sites.curvePoints[curve];
+    const Coordinates corner =
+      coordinatesOf(sites, nearestCopy(sites, front ? points.front() : points.back(), place));
+    const double theirs = (coordinatesOf(sites, site) - corner).norm();
+    const double ours = (place - corner).norm();
+    if (theirs < nearest && ours > 0.0)
+    {
+      nearest = theirs;
+      const double radius = (at - mesh.points[end]).norm() * theirs / ours;
+      level = stationAtRadius(mesh, own, front, radius);
+    }
+  }
+  return level;
+}
+}
