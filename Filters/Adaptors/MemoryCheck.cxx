@@ -20,7 +20,7 @@ constexpr double otherBytes = 600.0;
 
 Status checkMemory(Offset numberOfSites, int dimension, int historyLength)
 {
-  const double perCoordinate = vectors * sizeof(double) + historyBytes * historyLength;
+  const double perCoordinate = vectors * sizeof(double) + historyBytes * (historyLength + 1);
   const double needed =
     static_cast<double>(numberOfSites) * (dimension * perCoordinate + otherBytes);
   vtksys::SystemInformation system;

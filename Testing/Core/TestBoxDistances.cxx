@@ -5,6 +5,7 @@
 #include "TestLanes.h"
 #include "TestSupport.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace remesh;
@@ -84,11 +85,40 @@ void testMeeting()
   }
   CHECK(met > 100 && met < 1400); // of 1600
 }
+
+/** Boxes that touch meet, whatever the sign of a zero. */
+void testTouching()
+{
+  BoxGroup boxes;
+  std::fill_n(boxes.lower[0], 3 * lanes, 0.0);
+  std::fill_n(boxes.upper[0], 3 * lanes, 1.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    boxes.lower[axis][0] = -0.0;
+    boxes.lower[axis][1] = -1.0;
+    boxes.upper[axis][1] = 0.0;
+    boxes.lower[axis][2] = -1.0;
+    boxes.upper[axis][2] = -0.0;
+  }
+  for (const InstructionSet set : test::availableSets())
+  {
+    for (const double zero : { 0.0, -0.0 })
+    {
+      const Point3 here = Point3::Constant(zero);
+      const Point3 low = Point3::Constant(-1.0);
+      const Point3 high = Point3::Constant(1.0);
+      CHECK_EQUAL(boxMeetingEvaluation(set)({ boxes, low.data(), here.data() }), 0xFFU);
+      CHECK_EQUAL(boxMeetingEvaluation(set)({ boxes, here.data(), high.data() }), 0xFFU);
+      CHECK_EQUAL(boxMeetingEvaluation(set)({ boxes, here.data(), here.data() }), 0xFFU);
+    }
+  }
+}
 }
 
 int TestBoxDistances(int, char*[])
 {
   testDistances();
   testMeeting();
+  testTouching();
   return test::result();
 }

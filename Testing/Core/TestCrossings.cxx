@@ -99,6 +99,29 @@ void testSearch()
   CHECK_EQUAL(sum, 2 * static_cast<Offset>(expected.size()));
 }
 
+/** Triangles without area go through others, too, before and after they have changed. */
+void testWithoutArea()
+{
+  const std::vector<Triple> triangles{ { 0, 1, 2 }, { 3, 4, 5 }, { 3, 5, 6 }, { 7, 8, 9 } };
+  std::vector<Point3> positions{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.2, 0.2, -1 },
+    { 0.2, 0.2, -2 }, { 0.2, 0.2, 1 }, { 0.2, 0.2, 3 }, { 4, 0, 0 }, { 5, 0, 0 }, { 4, 1, 0 } };
+  const Pairs through{ { 0, 1 }, { 0, 2 } };
+  CHECK(crossingsOf(triangles, positions) == through);
+  CrossingSearch search(triangles, positions, RunControl());
+  CHECK_EQUAL(search.count(0), 0); // as told
+  for (int k = 3; k < 7; ++k)
+  {
+    positions[k] += Point3(4.0, 0.0, 0.0);
+  }
+  search.setChanged(1);
+  search.setChanged(2);
+  const Pairs later{ { 1, 3 }, { 2, 3 } };
+  Pairs found;
+  CHECK(search.find(RunControl(), found).ok());
+  CHECK(found == later);
+  CHECK_EQUAL(search.count(3), 2);
+}
+
 /** A closed band, thin at its rims, that waves up and down. */
 SurfaceMesh thinBand(double thickness)
 {
@@ -286,6 +309,7 @@ int TestCrossings(int, char*[])
 {
   testPairs();
   testSearch();
+  testWithoutArea();
   testThinBand();
   testCrossingSurface();
   testLimit();

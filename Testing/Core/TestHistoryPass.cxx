@@ -6,6 +6,7 @@
 #include "TestLanes.h"
 #include "TestSupport.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,13 +40,19 @@ struct Pair
 
 float rounded(float value)
 {
-  return numberOf(Pair({ value }, InstructionSet::Baseline).step, 0);
+  const double zero = 0.0;
+  const double place = value;
+  HalvedNumbers step(wordsOfGroup, untouched);
+  HalvedNumbers change(step);
+  historyPasses(InstructionSet::Baseline)
+    .pair({ &zero, &place, &zero, &zero, 1, step.data(), change.data() });
+  return numberOf(step, 0);
 }
 
 void testFitting()
 {
   for (const float value :
-    { 0.0F, 1.0F, -1.0F, 1.5F, 0.0078125F, -3.25F, 0x1.FEp126F, 0x1p-126F, 0x1p-133F })
+    { 0.0F, 1.0F, -1.0F, 1.5F, 0.0078125F, -3.25F, 0x1.FEp127F, 0x1p-126F, 0x1p-133F })
   {
     CHECK_EQUAL(rounded(value), value);
   }
@@ -106,6 +113,22 @@ void testPairs()
   }
 }
 
+/** Products of numbers that are rounding noise are no floats, but they count. */
+void testNoise()
+{
+  std::vector<double> values = randomNumbers(100, 5);
+  const double product = Pair(values, InstructionSet::Baseline).product;
+  constexpr double small = 0x1p-80;
+  std::transform(
+    values.begin(), values.end(), values.begin(), [](double value) { return small * value; });
+  const Pair pair(values, InstructionSet::Baseline);
+  CHECK_EQUAL(pair.product, small * small * product);
+  std::vector<float> vector(groupsOf(100) * groupOfNumbers, static_cast<float>(small));
+  const double sum = historyPasses(widestInstructionSet())
+                       .recur({ vector.data(), groupsOf(100), 0.0F, nullptr, pair.step.data() });
+  CHECK(sum != 0.0 && std::abs(sum) < 1e-45);
+}
+
 void testRecursion()
 {
   constexpr std::size_t count = 500;
@@ -148,6 +171,7 @@ int TestHistoryPass(int, char*[])
   testFitting();
   testNearest();
   testPairs();
+  testNoise();
   testRecursion();
   return test::result();
 }

@@ -71,7 +71,16 @@ std::vector<Intrusion> inwardFirst(
 
 namespace
 {
-/** Where a curve gets a place: see CurveLevel.h for sites that are on features themselves. */
+/** The section of a curve that a place is in. */
+std::ptrdiff_t sectionOf(const Station& place, const std::vector<Station>& places)
+{
+  return std::upper_bound(places.begin(), places.end(), place) - places.begin();
+}
+
+/**
+ * Where a curve gets a place: see CurveLevel.h for sites that are on features themselves. The side
+ * of the curve is the one that is nearest to the site, as patches lie apart.
+ */
 Station placeFor(const Intrusion& intrusion, const SurfaceMesh& mesh,
   const EmbeddedSurface& surface, const Features& features, const FeatureSites& featureSites)
 {
@@ -125,7 +134,8 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     const std::vector<double>& along = lengths.of(intrusion.curve);
     std::vector<Station>& places = stations[intrusion.curve];
     const Station place = placeFor(intrusion, mesh, surface, features, featureSites);
-    if (insertStation(along, place, 0.0, leastGap, places) ||
+    const bool isThere = sectionOf(place, places) == sectionOf(intrusion.foot, places);
+    if ((isThere && insertStation(along, place, 0.0, leastGap, places)) ||
       insertStation(along, intrusion.foot, 0.0, leastGap, places))
     {
       ++count;

@@ -44,10 +44,10 @@ struct Meeting
     for (int axis = 0; axis < 3; ++axis)
     {
       load(task.boxes.lower[axis], bound);
-      findNegative(task.upper[axis] - bound, negative);
+      findNegative(task.upper[axis] - bound + 0.0, negative); // -0 is none
       apart |= negative;
       load(task.boxes.upper[axis], bound);
-      findNegative(bound - task.lower[axis], negative);
+      findNegative(bound - task.lower[axis] + 0.0, negative);
       apart |= negative;
     }
     return bitsOf(~apart);

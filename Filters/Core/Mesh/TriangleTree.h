@@ -1,6 +1,6 @@
 /**
  * @file TriangleTree.h
- * @brief The closest point of a whole surface to a point of R^3.
+ * @brief The closest point of a whole surface to a point of R^3, and triangles that may meet.
  *
  * A tree of bounding boxes, eight to a node, over the triangles in the order of a Hilbert curve.
  * Not a locator of VTK's: those sort with the back-end at hand, and which of two triangles that
@@ -99,6 +99,7 @@ public:
    * may meet them, for each pair once if it is called for all groups. From any thread.
    *
    * @param groups scratch.
+   * Cost: O(log T) for the group, where triangles are about as large as those nearby.
    */
   template <class Visit>
   void visitMeeting(Index group, std::vector<Index>& groups, const Visit& visit) const

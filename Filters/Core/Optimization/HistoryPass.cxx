@@ -55,11 +55,11 @@ struct Group
   std::memcpy(place, &low, sizeof low);
 }
 
-/** Adds the products of two groups, as floats, to sums that are doubles. */
+/** Adds the products of two groups. As doubles: the products of rounding noise are no floats. */
 [[gnu::always_inline]] inline void addProducts(const Group& a, const Group& b, Lanes& sums)
 {
-  sums += __builtin_convertvector(a.low * b.low, Lanes);
-  sums += __builtin_convertvector(a.high * b.high, Lanes);
+  sums += __builtin_convertvector(a.low, Lanes) * __builtin_convertvector(b.low, Lanes);
+  sums += __builtin_convertvector(a.high, Lanes) * __builtin_convertvector(b.high, Lanes);
 }
 
 [[gnu::always_inline]] inline double sumOf(const Lanes& s)

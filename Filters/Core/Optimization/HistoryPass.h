@@ -21,7 +21,7 @@ namespace remesh
 {
 /**
  * Numbers in two bytes each, in groups: number k of a group is the lower half of its word k, or the
- * upper half of word k - 8. A last group may have fewer; zeros fill it.
+ * upper half of word k - 8. A last group may have fewer; zeros fill it. Not for infinities and NaN.
  */
 using HalvedNumbers = std::vector<std::uint32_t>;
 constexpr std::size_t wordsOfGroup = 8;

@@ -22,7 +22,7 @@ constexpr double longestStep = 2.0; // times the root mean square radius of the 
 /** One pair of the history. */
 struct Correction
 {
-  static_assert(2 * sizeof(HalvedNumbers::value_type) / 2 == historyBytes);
+  static_assert(sizeof(HalvedNumbers::value_type) == historyBytes); // a word holds two numbers
 
   HalvedNumbers step;
   HalvedNumbers change; ///< of the gradient
@@ -44,6 +44,9 @@ public:
   }
 
   void clear() { m_history.clear(); }
+
+  /** False once a run was cancelled: then the history is not to be used. */
+  bool complete() const { return m_groups.complete(); }
 
   /** Takes in a step and the gradient's change from -2 moment before to after. */
   void update(
@@ -298,6 +301,10 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
       break; // rounding is all that is left to gain
     }
     hessian.update(sites, sums, trial.sites, trial.sums);
+    if (!hessian.complete())
+    {
+      return Status::cancelled();
+    }
     if (countEmptyFree(trial.sites, trial.sums) > 0)
     {
       hessian.clear();

@@ -7,8 +7,8 @@
  * 2009). Two-loop recursion of J. Nocedal (1980) with diag(2 m_i), scaled to the last step's
  * curvature, as initial Hessian: the first step is Lloyd's. A backtracking line search keeps the
  * energy falling; the unit step is nearly always taken. No site goes farther in it than twice the
- * root mean square radius of its cell. Positions and gradients are doubles, the
- * history is held in two bytes a number (measured: floats end with the same energy to 1e-5).
+ * root mean square radius of its cell. Positions and gradients are doubles; the history is held in
+ * two bytes a number, and the recursion works on floats (HistoryPass.h).
  */
 #ifndef remesh_QuasiNewton_h
 #define remesh_QuasiNewton_h
@@ -35,7 +35,8 @@ constexpr double historyBytes = 4.0;
 
 /**
  * The pairs that a run keeps of those wanted. Where a pair takes more than 16 MB and there are many
- * dimensions, as many as fit into a twelfth of the embedding's own memory, but at least 3.
+ * dimensions, as many as fit into a twelfth of the embedding's own memory, but at least 3. A run
+ * makes one more for a short time.
  */
 int historyWithin(const EmbeddedSurface& surface, Offset numberOfSites, int wanted);
 

@@ -10,8 +10,6 @@ namespace remesh
 {
 namespace
 {
-using Pairs = std::vector<std::pair<Index, Index>>;
-
 constexpr double rounding = 1e-13; // of volumes, to the cube of the largest length
 
 /** Six times the volume of a tetrahedron. */
@@ -114,19 +112,13 @@ void CrossingSearch::visitCrossing(
   }
 }
 
-Status CrossingSearch::find(const RunControl& control, Pairs& pairs) const
+/** Pairs of triangles that are where they were when the tree was made. */
+bool CrossingSearch::findInTree(
+  const std::vector<char>& isInTree, const RunControl& control, std::vector<Pairs>& found) const
 {
-  pairs.clear();
-  std::vector<char> isInTree(m_triangles.size(), 0); // as it has been, with area
-  for (Index slot = 0; slot < m_tree.size(); ++slot)
-  {
-    const Index triangle = m_tree.triangleOf(slot);
-    isInTree[triangle] = m_hasChanged[triangle] == 0;
-  }
   const Blocks groups = Blocks::cut(m_tree.numberOfGroups(), 64, 256);
-  const Blocks all = Blocks::cut(static_cast<Offset>(m_triangles.size()), 64, 4096);
-  std::vector<Pairs> found(static_cast<std::size_t>(groups.count() + all.count()));
-  bool done = forEachBlock(groups.count(), control.step(0, 2),
+  found.resize(static_cast<std::size_t>(groups.count()));
+  return forEachBlock(groups.count(), control,
     [&](Offset block)
     {
       std::vector<Index> scratch;
@@ -145,27 +137,54 @@ Status CrossingSearch::find(const RunControl& control, Pairs& pairs) const
           });
       }
     });
-  done = done &&
-    forEachBlock(all.count(), control.step(1, 2),
-      [&](Offset block)
+}
+
+/** Pairs of any triangle with those that have changed, or are not in the tree. */
+bool CrossingSearch::findOthers(
+  const std::vector<char>& isInTree, const RunControl& control, std::vector<Pairs>& found) const
+{
+  const Blocks all = Blocks::cut(static_cast<Offset>(m_triangles.size()), 64, 4096);
+  found.resize(static_cast<std::size_t>(all.count()));
+  return forEachBlock(all.count(), control,
+    [&](Offset block)
+    {
+      std::vector<Index> slots;
+      for (auto t = static_cast<Index>(all.begin(block)); t < all.end(block); ++t)
       {
-        std::vector<Index> slots;
-        Pairs& own = found[groups.count() + block];
-        for (auto t = static_cast<Index>(all.begin(block)); t < all.end(block); ++t)
+        if (!isInTree[t])
         {
-          if (!isInTree[t])
-          {
-            this->visitCrossing(
-              t, slots, [&](Index other) { own.push_back(std::minmax(t, other)); });
-          }
+          this->visitCrossing(
+            t, slots, [&](Index other) { found[block].push_back(std::minmax(t, other)); });
         }
-      });
-  for (const Pairs& some : found)
+      }
+    });
+}
+
+Status CrossingSearch::find(const RunControl& control, Pairs& pairs) const
+{
+  pairs.clear();
+  std::vector<char> isInTree(m_triangles.size(), 0); // as it has been, with area
+  for (Index slot = 0; slot < m_tree.size(); ++slot)
   {
-    pairs.insert(pairs.end(), some.begin(), some.end());
+    const Index triangle = m_tree.triangleOf(slot);
+    isInTree[triangle] = m_hasChanged[triangle] == 0;
+  }
+  std::vector<Pairs> inTree;
+  std::vector<Pairs> others;
+  if (!this->findInTree(isInTree, control.step(0, 2), inTree) ||
+    !this->findOthers(isInTree, control.step(1, 2), others))
+  {
+    return Status::cancelled();
+  }
+  for (const std::vector<Pairs>* found : { &inTree, &others })
+  {
+    for (const Pairs& some : *found)
+    {
+      pairs.insert(pairs.end(), some.begin(), some.end());
+    }
   }
   sortUnique(pairs);
-  return done ? Status::success() : Status::cancelled();
+  return Status::success();
 }
 
 Offset CrossingSearch::count(Index triangle) const

@@ -30,6 +30,8 @@ bool areCrossing(const Triple& first, const Triple& second, const std::vector<Po
 class CrossingSearch
 {
 public:
+  using Pairs = std::vector<std::pair<Index, Index>>;
+
   /** @param triangles, positions are read in later calls, as they are then. O(T), in parallel. */
   CrossingSearch(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
     const RunControl& control);
@@ -40,15 +42,19 @@ public:
    * @return Cancelled; then `pairs` is of no use.
    * Cost: O(T log T) where triangles are about as large as those nearby; in parallel.
    */
-  Status find(const RunControl& control, std::vector<std::pair<Index, Index>>& pairs) const;
+  Status find(const RunControl& control, Pairs& pairs) const;
 
-  /** How many triangles go through this one. */
+  /** How many triangles go through this one; without those without area, unless they changed. */
   Offset count(Index triangle) const;
 
   /** The triangle changes now, or from now on. */
   void setChanged(Index triangle);
 
 private:
+  bool findInTree(
+    const std::vector<char>& isInTree, const RunControl& control, std::vector<Pairs>& found) const;
+  bool findOthers(
+    const std::vector<char>& isInTree, const RunControl& control, std::vector<Pairs>& found) const;
   /** Those that go through a triangle. */
   template <class Visit>
   void visitCrossing(Index triangle, std::vector<Index>& slots, const Visit& visit) const;

@@ -256,9 +256,10 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   const NearbySurface surface(problem, leastHeight(problem.mesh), &whole);
   FlipSearch search(surface);
   std::vector<Index> strays;
-  const bool noOthers = placement.repair.flippedTriangles == 0; // are flipped than suspects
-  status =
-    search.find(triangles, placement.positions, control, strays, noOthers ? &suspects : nullptr);
+  // Where none faces against its own cells, only the suspects can be flipped.
+  const bool faceOwnCells = placement.repair.flippedTriangles == 0;
+  status = search.find(
+    triangles, placement.positions, control, strays, faceOwnCells ? &suspects : nullptr);
   const auto before = static_cast<Offset>(strays.size());
   if (!status.ok() || before == placement.repair.flippedTriangles ||
     before > mostStrays(static_cast<Offset>(triangles.size())))

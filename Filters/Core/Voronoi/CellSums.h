@@ -90,7 +90,7 @@ void beginSums(Index numberOfSites, int dimension, CellSums& sums);
 Status addBlocks(
   const std::vector<BlockSums>& blocks, int dimension, const RunControl& control, CellSums& sums);
 
-/** The sums over all sites, when all blocks are there. */
+/** The sums over all sites, when all blocks are there. Cancelled: then they are of no use. */
 Status finishSums(int dimension, const RunControl& control, CellSums& sums);
 }
 

@@ -101,6 +101,7 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
   }
   if (!this->measureLeapers(sites, leapers, control.silent()))
   {
+    m_usualDisplacement = m_largestDisplacement;
     return Status::cancelled();
   }
   return this->worn() ? this->build(sites, control) : Status::success();
@@ -179,8 +180,8 @@ bool NeighborLists::measureLeapers(
       std::vector<double> squared(static_cast<std::size_t>(groups * lanes));
       for (Offset k = begin; k < end; ++k)
       {
-        measure({ coordinates.data(), groups, sites.dimension,
-          sites.site(static_cast<Index>(k)), squared.data() });
+        measure({ coordinates.data(), groups, sites.dimension, sites.site(static_cast<Index>(k)),
+          squared.data() });
         double nearest = infinity;
         for (std::size_t leaper = 0; leaper < leapers.size(); ++leaper)
         {
