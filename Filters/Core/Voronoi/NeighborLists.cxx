@@ -173,6 +173,11 @@ bool NeighborLists::measureLeapers(
       coordinates[(k / lanes * d + m) * lanes + k % lanes] = sites.site(leapers[k])[m];
     }
   }
+  std::vector<char> isLeaper(static_cast<std::size_t>(sites.count()), 0);
+  for (const Index leaper : leapers)
+  {
+    isLeaper[leaper] = 1;
+  }
   const SiteDistanceEvaluation measure = siteDistanceEvaluation(widestInstructionSet());
   return forEachRange(blocksOf(sites), control,
     [&](Offset begin, Offset end)
@@ -182,10 +187,15 @@ bool NeighborLists::measureLeapers(
       {
         measure({ coordinates.data(), groups, sites.dimension, sites.site(static_cast<Index>(k)),
           squared.data() });
-        double nearest = infinity;
-        for (std::size_t leaper = 0; leaper < leapers.size(); ++leaper)
+        if (isLeaper[k])
         {
-          nearest = leapers[leaper] == k ? nearest : std::min(nearest, squared[leaper]);
+          const auto own = std::find(leapers.begin(), leapers.end(), static_cast<Index>(k));
+          squared[own - leapers.begin()] = infinity;
+        }
+        double nearest = infinity;
+        for (int group = 0; group < groups; ++group)
+        {
+          nearest = std::min(nearest, leastOfLanes(squared.data() + group * lanes));
         }
         m_leapers[k] = roundedDown(std::sqrt(nearest) / aboveRounding);
       }
