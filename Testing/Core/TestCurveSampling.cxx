@@ -1,4 +1,5 @@
-// Features/CurveSampling: it can be cancelled between any two tries, and then tries no more.
+// Features/CurveSampling: it can be cancelled between any two tries, and then tries no more; places
+// at a distance from an end.
 
 #include "Features/CurveSampling.h"
 #include "Features/FeatureGraph.h"
@@ -48,8 +49,36 @@ Asked cancelledAt(
 }
 }
 
+namespace
+{
+/** A place at a point is one of the segment that begins there, from whichever end it is found. */
+void testRadius()
+{
+  SurfaceMesh mesh;
+  FeatureCurve curve;
+  for (Index k = 0; k < 5; ++k)
+  {
+    mesh.points.emplace_back(k, 0.0, 0.0);
+    curve.points.push_back(k);
+  }
+  curve.edges.assign(4, 0);
+  for (int eighth = 0; eighth <= 32; ++eighth)
+  {
+    const double radius = eighth / 8.0;
+    for (const bool fromFront : { true, false })
+    {
+      const Station place = stationAtRadius(mesh, curve, fromFront, radius);
+      const double x = fromFront ? radius : 4.0 - radius;
+      CHECK_EQUAL(place.segment + place.t, x);
+      CHECK(place.t < 1.0 || x == 4.0);
+    }
+  }
+}
+}
+
 int TestCurveSampling(int, char*[])
 {
+  testRadius();
   SurfaceMesh mesh = wavySheet();
   const Features features = findFeatures(mesh, FeatureOptions());
   const EmbeddedSurface surface = test::embedded(mesh, 3);
