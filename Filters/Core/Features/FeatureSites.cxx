@@ -15,22 +15,10 @@ FeatureSiteMaker::FeatureSiteMaker(
   , m_features(features)
   , m_facetOfCorner(mesh.cornerPoints.size(), { noIndex, 0 })
 {
-  const std::size_t count = mesh.cornerPoints.size();
-  m_cornersBegin.assign(mesh.points.size() + 1, 0);
-  for (const Index point : mesh.cornerPoints)
-  {
-    ++m_cornersBegin[static_cast<std::size_t>(point) + 1];
-  }
-  for (std::size_t p = 1; p < m_cornersBegin.size(); ++p)
-  {
-    m_cornersBegin[p] += m_cornersBegin[p - 1];
-  }
-  m_corners.resize(count);
-  std::vector<Offset> next(m_cornersBegin.begin(), m_cornersBegin.end() - 1);
-  for (std::size_t c = 0; c < count; ++c)
-  {
-    m_corners[next[mesh.cornerPoints[c]]++] = static_cast<Index>(c);
-  }
+  // Not to be cancelled: it takes as long as one look at the surface.
+  static_cast<void>(groupByKey(
+    static_cast<Offset>(mesh.cornerPoints.size()), mesh.numberOfPoints(), RunControl(),
+    [&](Offset corner) { return mesh.cornerPoints[corner]; }, m_cornersOfPoint));
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
     for (int k = 0; k < 3; ++k)
@@ -64,9 +52,10 @@ public:
   Index addAtPoint(Index point, Index curve)
   {
     this->begin(m_mesh.points[point], curve);
-    for (Offset i = m_maker.m_cornersBegin[point]; i < m_maker.m_cornersBegin[point + 1]; ++i)
+    const Groups& corners = m_maker.m_cornersOfPoint;
+    for (Offset i = corners.begins[point]; i < corners.begins[point + 1]; ++i)
     {
-      const Index corner = m_maker.m_corners[i];
+      const Index corner = corners.items[i];
       std::copy_n(m_surface.corner(corner), m_surface.dimension, m_coordinates.begin());
       const auto [facet, k] = m_maker.m_facetOfCorner[corner];
       Seat seat{ facet, { 0.0, 0.0, 0.0 }, this->copyHere() };

@@ -7,6 +7,7 @@
 
 #include "Embedding/EmbeddedSurface.h"
 #include "Features/CurveSampling.h"
+#include "Support/Grouping.h"
 
 namespace remesh
 {
@@ -90,8 +91,7 @@ private:
   const SurfaceMesh& m_mesh;
   const EmbeddedSurface& m_surface;
   const Features& m_features;
-  std::vector<Offset> m_cornersBegin; ///< V + 1
-  std::vector<Index> m_corners;
+  Groups m_cornersOfPoint;                            ///< V
   std::vector<std::pair<Index, int>> m_facetOfCorner; ///< C
 };
 

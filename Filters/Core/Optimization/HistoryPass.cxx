@@ -10,8 +10,6 @@ using Words = std::uint32_t __attribute__((vector_size(4 * wordsOfGroup)));
 using Floats = float __attribute__((vector_size(4 * wordsOfGroup)));
 static_assert(wordsOfGroup == lanes);
 
-constexpr std::uint32_t upperHalf = 0xFFFF0000U;
-
 template <class From, class To>
 [[gnu::always_inline]] inline void copyBits(const From& from, To& to)
 {

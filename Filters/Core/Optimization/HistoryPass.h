@@ -26,6 +26,7 @@ namespace remesh
 using HalvedNumbers = std::vector<std::uint32_t>;
 constexpr std::size_t wordsOfGroup = 8;
 constexpr std::size_t groupOfNumbers = 2 * wordsOfGroup;
+constexpr std::uint32_t upperHalf = 0xFFFF0000U; ///< of a word, and of a float
 
 /** A step of the recursion: adds a multiple of a vector, and multiplies with the next one. */
 struct RecursionPass
@@ -63,7 +64,7 @@ inline float numberOf(const HalvedNumbers& numbers, std::size_t k)
 {
   const std::size_t place = k % groupOfNumbers;
   const std::uint32_t word = numbers[k / groupOfNumbers * wordsOfGroup + place % wordsOfGroup];
-  const std::uint32_t bits = place < wordsOfGroup ? word << 16 : word & 0xFFFF0000U;
+  const std::uint32_t bits = place < wordsOfGroup ? word << 16 : word & upperHalf;
   float number = 0.0F;
   std::memcpy(&number, &bits, sizeof number);
   return number;

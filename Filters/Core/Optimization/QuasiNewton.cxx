@@ -33,13 +33,11 @@ struct Correction
 class InverseHessian
 {
 public:
-  InverseHessian(
-    int length, std::size_t size, const BlockedVectors& vectors, const RunControl& control)
+  InverseHessian(int length, const BlockedVectors& vectors, const RunControl& control)
     : m_length(static_cast<std::size_t>(std::max(length, 0)))
-    , m_size(size)
     , m_vectors(vectors)
-    , m_groups(
-        static_cast<Offset>((size + groupOfNumbers - 1) / groupOfNumbers), groupOfNumbers, control)
+    , m_groups(static_cast<Offset>((vectors.size() + groupOfNumbers - 1) / groupOfNumbers),
+        groupOfNumbers, control)
   {
   }
 
@@ -62,7 +60,7 @@ public:
       {
         return m_passes.pair({ sites.coordinates.data() + begin,
           newSites.coordinates.data() + begin, sums.moment.data() + begin,
-          newSums.moment.data() + begin, std::min(end, m_size) - begin,
+          newSums.moment.data() + begin, std::min(end, m_vectors.size()) - begin,
           pair.step.data() + begin / 2, pair.change.data() + begin / 2 });
       });
     if (!(pair.product > 0.0))
@@ -79,7 +77,7 @@ public:
   /** Direction -H g with g = -2 moment and the initial H = gamma diag(1 / (2 m_i)). */
   void descend(const CellSums& sums, std::vector<double>& direction) const
   {
-    direction.resize(m_size);
+    direction.resize(m_vectors.size());
     if (m_history.empty())
     {
       this->divideByMass(sums, sums.moment, 2.0, direction); // Lloyd's step
@@ -147,7 +145,7 @@ private:
       return 1.0;
     }
     const Correction& last = m_history.back();
-    const std::size_t d = m_size / sums.mass.size();
+    const std::size_t d = m_vectors.size() / sums.mass.size();
     const double scaled = m_vectors.sumOfBlocks(
       [&](std::size_t begin, std::size_t end)
       {
@@ -168,7 +166,6 @@ private:
   }
 
   std::size_t m_length;
-  std::size_t m_size; ///< of the vectors
   const BlockedVectors& m_vectors;
   BlockedVectors m_groups; ///< of the history
   HistoryPasses m_passes = historyPasses(widestInstructionSet());
@@ -274,8 +271,8 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
   CellSums& sums, Convergence& convergence, Index& emptyCells)
 {
   const BlockedVectors vectors(sites.count(), sites.dimension, control);
-  InverseHessian hessian(historyWithin(surface, sites.count(), options.historyLength),
-    sites.coordinates.size(), vectors, control);
+  InverseHessian hessian(
+    historyWithin(surface, sites.count(), options.historyLength), vectors, control);
   const double gradientBound = options.gradientTolerance * convergence.rows.front().gradientNorm;
   std::vector<double> direction;
   Trial trial;

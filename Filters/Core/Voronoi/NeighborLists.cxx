@@ -141,7 +141,7 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
   return compared ? Status::success() : Status::cancelled();
 }
 
-/** The few sites that moved farthest. */
+/** The few sites that moved farthest; the usual displacement is that of the others. */
 std::vector<Index> NeighborLists::findLeapers()
 {
   const auto count = static_cast<Offset>(m_displacements.size());
