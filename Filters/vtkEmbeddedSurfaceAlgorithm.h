@@ -78,11 +78,15 @@ public:
   /**
    * Passes of 1-ring averaging over estimated normals, 0 to 10000. Default -1: the normals are
    * smoothed over 1.5 times the mean spacing of the new points, sqrt(area / points), whatever the
-   * sizes of the triangles, as bends finer than that cannot be meshed. Where the normals count for
-   * so much that this leaves more bends than points (cells fall into more than 1.1 parts each),
-   * vtkAnisotropicRemesher smooths them over twice or four times that, and takes up to four times
-   * as long; not where it starts from given sites, does no iterations, or has coordinate arrays.
-   * (The outputs' normals are not smoothed.) Given normals never are.
+   * sizes of the triangles, as bends finer than that cannot be meshed. They are left as they are
+   * where that would hardly flatten anything but bends along one direction, which long triangles
+   * can follow, as on most parts designed on a computer: where the area that normals cover, scaled
+   * by the anisotropy, falls by at most 5 % of the area in R^6. If vtkAnisotropicRemesher's mesh
+   * has faults then, it makes one with smoothed ones, too, and keeps the better one. Where the
+   * normals count for so much that this leaves more bends than points (cells fall into more
+   * than 1.1 parts each), vtkAnisotropicRemesher smooths them over twice or four times that, and
+   * takes up to four times as long; not where it starts from given sites, does no iterations, or
+   * has coordinate arrays. (The outputs' normals are not smoothed.) Given normals never are.
    */
   vtkSetClampMacro(NormalSmoothingPasses, int, -1, 10000);
   vtkGetMacro(NormalSmoothingPasses, int);
@@ -91,12 +95,12 @@ public:
   ///@{
   /**
    * Root mean square distance over which estimated normals are smoothed, in the unit of the points;
-   * 0 or more. Default 0: as `NormalSmoothingPasses` tells, which a radius overrides. Where
-   * vtkAnisotropicRemesher took more than 1.5 spacings, or was given a tolerance, the field data of
-   * its mesh tells (`NormalSmoothingRadius`): with that, other filters work on the same surface in
-   * R^d, but for features, along which it alone cuts.
+   * 0: they are not. Below 0, default -1: as `NormalSmoothingPasses` tells, which a radius
+   * overrides. What vtkAnisotropicRemesher took the field data of its mesh tells
+   * (`NormalSmoothingRadius`): with that, other filters work on the same surface in R^d, but for
+   * features, along which it alone cuts.
    */
-  vtkSetClampMacro(NormalSmoothingRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(NormalSmoothingRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NormalSmoothingRadius, double);
   ///@}
 
@@ -175,7 +179,7 @@ private:
   int EmbeddingMode = GAUSS_MAP;
   double Anisotropy = 0.04;
   int NormalSmoothingPasses = -1;
-  double NormalSmoothingRadius = 0.0;
+  double NormalSmoothingRadius = -1.0;
   double MergeTolerance = 0.0;
   int NumberOfThreads = 0;
   int SMPBackend = SMP_AUTOMATIC;

@@ -4,7 +4,7 @@
  *
  * Output: the input, geometry and arrays untouched, with one more point array `Embedding`
  * (double, d components, one tuple per input point): what vtkAnisotropicRemesher with the same
- * parameters works on (with the `NormalSmoothingRadius` that it took, if it took another) where no
+ * parameters works on (with the `NormalSmoothingRadius` that its field data tells) where no
  * features cut the surface. With `PreserveFeatures`, its default, it cuts the surface open along
  * creases and borders of labels, and each fan of triangles between them has a corner and a normal
  * of its own; here a point has one tuple for all sides.

@@ -29,8 +29,8 @@
  * given or features are not preserved, beyond the number of sites), `Seed`; with MeasureDistance
  * `MaximumDistance` (the largest found from mesh to surface or back; with a distance tolerance a
  * bound that no point passes) and `RMSDistance` (root of the mean of both mean squares), in the
- * unit of the points; `NormalSmoothingRadius` where estimated normals were smoothed over another
- * than the usual one.
+ * unit of the points; `NormalSmoothingRadius`, the distance over which estimated normals were
+ * smoothed, 0 if they were not, unless passes were asked for.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball

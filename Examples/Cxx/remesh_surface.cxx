@@ -240,7 +240,7 @@ void Remesh(Run& run)
       sites ? std::max<vtkIdType>(1, sites->GetNumberOfPoints()) : options.NumberOfPoints);
     vtkFieldData* facts = remesher->GetOutput()->GetFieldData();
     vtkDataArray* radius = facts->GetArray("NormalSmoothingRadius");
-    run.Embedding->SetNormalSmoothingRadius(radius ? radius->GetComponent(0, 0) : 0.0);
+    run.Embedding->SetNormalSmoothingRadius(radius ? radius->GetComponent(0, 0) : -1.0);
     Execute(run.Embedding, run);
   }
 }

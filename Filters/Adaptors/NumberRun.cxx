@@ -19,6 +19,7 @@ constexpr int mostWidenings = 2;           // of the radius over which normals a
 constexpr double mostParts = 1.1;          // of cells, for each
 constexpr double shareOfPreparation = 0.1; // of the progress of a run
 constexpr double shareOfOthers = 0.4;      // of the progress, left to runs that may follow
+constexpr double shareOfSmoothed = 0.1;    // likewise, where one will as a rule not
 
 struct NumberRun
 {
@@ -52,11 +53,16 @@ struct NumberRun
     const PreparationRequest& preparation = this->request.preparation;
     return this->options.optimize &&
       this->options.lloydIterations + this->options.quasiNewton.iterations > 0 &&
-      !this->request.sites && preparation.coordinates.empty() &&
-      !(preparation.smoothingRadius > 0.0);
+      !this->request.sites && preparation.coordinates.empty() && preparation.smoothingRadius < 0.0;
   }
 
-  /** Whether the normals are smoothed over less than the mean spacing of the sites in R^d. */
+  /** Whether estimated normals were left as they are, of the run's own accord. */
+  bool staysSharp() const
+  {
+    return this->request.preparation.mayStaySharp && this->outcome.prepared.smoothingRadius == 0.0;
+  }
+
+  /** Whether estimated normals are smoothed over less than the mean spacing of the sites in R^d. */
   bool mayBeWrinkled() const
   {
     const PreparedSurface& prepared = this->outcome.prepared;
@@ -67,7 +73,7 @@ struct NumberRun
     }
     const double spacing = prepared.surface.unit *
       std::sqrt(area / static_cast<double>(this->request.preparation.numberOfSites));
-    return prepared.smoothingRadius > 0.0 && prepared.smoothingRadius < spacing;
+    return prepared.smoothingRadius && *prepared.smoothingRadius < spacing;
   }
 
   /** One run with normals smoothed `smoothing` times as far as usual. */
@@ -92,7 +98,9 @@ struct NumberRun
       const bool endsEarly = this->mayEndEarly && this->mayBeWrinkled();
       this->options.mostComponents =
         endsEarly ? mostParts : std::numeric_limits<double>::infinity();
-      this->filled = endsEarly || smoothing > 1.0 ? 1.0 - shareOfOthers : 1.0;
+      this->filled = this->staysSharp() ? 1.0 - shareOfSmoothed
+        : endsEarly || smoothing > 1.0  ? 1.0 - shareOfOthers
+                                        : 1.0;
       status = remesh(prepared.mesh, prepared.surface, this->options,
         control.part(shareOfPreparation, this->filled), result,
         prepared.features ? &*prepared.features : nullptr);
@@ -102,16 +110,23 @@ struct NumberRun
     return status;
   }
 
+  /** Triangles that face the surface the wrong way, as far as that can be told. */
+  Offset wrongWay() const
+  {
+    const Placement& placement = this->outcome.result.placement;
+    return std::max(placement.repair.flippedTriangles, placement.strays);
+  }
+
   /**
    * What is lost, points too many or too few in halves of those asked for, places that are lost,
-   * such points one by one, and flipped triangles: the lower, the better.
+   * such points one by one, and triangles that face the wrong way: the lower, the better.
    */
   std::tuple<bool, Offset, Offset, Offset, Offset> faults() const
   {
     const RemeshResult& result = this->outcome.result;
     const Offset off = std::abs(result.components.count() - result.wantedVertices);
     return { !result.topology.preserved(), 2 * off / std::max(result.wantedVertices, Offset(1)),
-      result.topology.certificate.violations(), off, result.placement.repair.flippedTriangles };
+      result.topology.certificate.violations(), off, this->wrongWay() };
   }
 
   /** Whether the topology is lost, or takes more points than there may be. */
@@ -122,17 +137,20 @@ struct NumberRun
       result.components.count() - result.wantedVertices > this->options.maximumExtraPoints;
   }
 
-  /** Makes the mesh with the first radius, too, and keeps it if it is better than the last one. */
-  Status compareWithFirst(const RunControl& control)
+  /** Whether the mesh has faults that smoother normals may mend. */
+  bool hasFaults() const { return this->losesTopologyOrNumber() || this->wrongWay() > 0; }
+
+  /** Makes another mesh, too, by `make()`, and keeps it if it is better than the last one. */
+  template <class Make>
+  Status compareWith(const Make& make)
   {
     const auto lastFaults = this->faults();
     PreparedSurface lastPrepared = std::move(this->outcome.prepared);
     RemeshResult last = std::move(this->outcome.result);
-    this->mayEndEarly = false;
     Status status;
     try
     {
-      status = this->make(1.0, control);
+      status = make();
     }
     catch (const std::bad_alloc&) // there are two surfaces and results now
     {
@@ -147,7 +165,10 @@ struct NumberRun
     return Status::success();
   }
 
-  /** Runs with one radius after the other, as far as they help. */
+  /**
+   * Runs with the normals as they are, if they may stay, and where these do not do with smoothed
+   * ones, with one radius after the other, as far as they help.
+   */
   Status makeWithRadii(const RunControl& control)
   {
     if (!this->mayWiden())
@@ -160,10 +181,22 @@ struct NumberRun
       this->mayEndEarly = widening < mostWidenings;
       const Status status = this->make(std::ldexp(1.0, widening), rest);
       rest = rest.part(this->filled, 1.0);
-      if (!status.ok() || !this->outcome.result.fallsApart)
+      const bool fallsApart = this->outcome.result.fallsApart;
+      if (status.ok() && this->staysSharp() && (fallsApart || this->hasFaults()))
       {
+        this->request.preparation.mayStaySharp = false;
+        const auto makeSmoothed = [&]() { return this->makeWithRadii(rest); };
+        return fallsApart ? makeSmoothed() : this->compareWith(makeSmoothed);
+      }
+      if (!status.ok() || !fallsApart)
+      {
+        const auto makeFirst = [&]()
+        {
+          this->mayEndEarly = false;
+          return this->make(1.0, rest);
+        };
         const bool compares = status.ok() && widening > 0 && this->losesTopologyOrNumber();
-        return compares ? this->compareWithFirst(rest) : status;
+        return compares ? this->compareWith(makeFirst) : status;
       }
     }
   }

@@ -66,10 +66,10 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   add("TopologyPreserved", result.topology.preserved() ? 1 : 0);
   add("NumberOfExtraPoints", result.components.count() - result.wantedVertices);
   add("Seed", source.seed);
-  if (source.prepared.unusualRadius)
+  if (source.prepared.smoothingRadius)
   {
     columns.add<vtkDoubleArray>(
-      "NormalSmoothingRadius", [&](Offset) { return source.prepared.smoothingRadius; });
+      "NormalSmoothingRadius", [&](Offset) { return *source.prepared.smoothingRadius; });
   }
   if (const std::optional<TwoSidedDistance>& distance = result.distance)
   {

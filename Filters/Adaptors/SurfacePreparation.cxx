@@ -3,6 +3,7 @@
 #include "Adaptors/CornerArrays.h"
 #include "Adaptors/FacetLabels.h"
 #include "Adaptors/SurfaceIntake.h"
+#include "Embedding/Wrinkles.h"
 #include "Features/FeatureGraph.h"
 #include "Mesh/Extent.h"
 #include "Mesh/NormalFlow.h"
@@ -19,6 +20,9 @@ namespace remesh
 {
 namespace
 {
+/** Share of wrinkles (Wrinkles.h) up to which bends are kept as they are. */
+constexpr double mostWrinkles = 0.05;
+
 Status takeIn(
   vtkPolyData* input, double mergeTolerance, const RunControl& control, PreparedSurface& prepared)
 {
@@ -99,9 +103,31 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
     prepared.warnings.push_back(status.message + " The normals are estimated instead.");
   }
   estimated = true;
-  const int passes = request.smoothingRadius > 0.0 ? 0 : std::max(0, request.normalSmoothingPasses);
+  const int passes =
+    request.smoothingRadius >= 0.0 ? 0 : std::max(0, request.normalSmoothingPasses);
   prepared.normals = estimateCornerNormals(prepared.mesh, passes, control);
   return Status::success();
+}
+
+/** Smooths the normals at the scale of the sites, or over the radius that is asked for. */
+void smoothNormals(const PreparationRequest& request, double s, const RunControl& control,
+  PreparedSurface& prepared, std::vector<Point3>& normals)
+{
+  const bool isGiven = request.smoothingRadius >= 0.0;
+  prepared.smoothingRadius = isGiven
+    ? request.smoothingRadius
+    : request.smoothing * smoothingRadius(prepared.mesh, request.numberOfSites);
+  std::vector<Point3> smoothed = normals;
+  smoothNormalsOver(prepared.mesh, *prepared.smoothingRadius, control, smoothed);
+  if (!isGiven && request.mayStaySharp &&
+    wrinkledShare(prepared.mesh, normals, smoothed, s, control.silent()) <= mostWrinkles)
+  {
+    prepared.smoothingRadius = 0.0;
+  }
+  else
+  {
+    normals = std::move(smoothed);
+  }
 }
 
 /** Position and normal; estimated normals at the scale of the sites, if no passes were asked for.
@@ -109,17 +135,13 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
 CornerCoordinates makeGaussMap(const PreparationRequest& request, double s, bool estimated,
   const RunControl& control, PreparedSurface& prepared)
 {
-  if (!estimated || (request.normalSmoothingPasses >= 0 && !(request.smoothingRadius > 0.0)))
+  if (!estimated || (request.normalSmoothingPasses >= 0 && request.smoothingRadius < 0.0))
   {
     return gaussMapCoordinates(prepared.mesh, prepared.normals, s);
   }
-  std::vector<Point3> smoothed = prepared.normals;
-  const double usual = smoothingRadius(prepared.mesh, request.numberOfSites);
-  prepared.smoothingRadius =
-    request.smoothingRadius > 0.0 ? request.smoothingRadius : request.smoothing * usual;
-  prepared.unusualRadius = prepared.smoothingRadius != usual;
-  smoothNormalsOver(prepared.mesh, prepared.smoothingRadius, control, smoothed);
-  return gaussMapCoordinates(prepared.mesh, smoothed, s);
+  std::vector<Point3> normals = prepared.normals;
+  smoothNormals(request, s, control, prepared, normals);
+  return gaussMapCoordinates(prepared.mesh, normals, s);
 }
 
 /** The arrays of the embedding, each with its scale, or an error. */

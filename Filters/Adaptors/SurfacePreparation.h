@@ -27,7 +27,8 @@ struct PreparationRequest
   double anisotropy = 0.04;          ///< fraction of the bounding-box diagonal
   int normalSmoothingPasses = -1;    ///< negative: over the spacing of `numberOfSites`
   double smoothing = 1.0;            ///< that radius is multiplied by this
-  double smoothingRadius = 0.0;      ///< above 0: this one instead, whatever the passes
+  bool mayStaySharp = true;          ///< not at all where that would flatten few wrinkles
+  double smoothingRadius = -1.0;     ///< 0 or more: this one instead, whatever the passes
   Offset numberOfSites = 10000;      ///< that the surface is prepared for
   double mergeTolerance = 0.0;       ///< fraction of the bounding-box diagonal
   vtkDataArray* normals = nullptr;   ///< of the points; nullptr: estimate
@@ -53,9 +54,9 @@ struct PreparedSurface
 {
   SurfaceMesh mesh;
   IntakeReport intake;
-  std::vector<Point3> normals;   ///< C, unit; before the smoothing over the spacing
-  double smoothingRadius = 0.0;  ///< of that smoothing, in the unit of the points; 0: none
-  bool unusualRadius = false;    ///< not what the number of sites asked for gives
+  std::vector<Point3> normals; ///< C, unit; before the smoothing over the spacing
+  /** Of that smoothing, in the unit of the points; 0: none. Of estimated normals alone. */
+  std::optional<double> smoothingRadius;
   CornerCoordinates coordinates; ///< C x d, the caller's units; empty where not to be kept
   EmbeddedSurface surface;
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */

@@ -203,7 +203,6 @@ struct ToleranceRun
   /** What was reached. A bound that was proven in refinement holds, however far this one comes. */
   Status report(ToleranceOutcome reached, const RunControl& control)
   {
-    this->prepared.unusualRadius = this->prepared.smoothingRadius > 0.0; // of an unknown number
     TwoSidedDistance& distance = this->result.distance.emplace();
     if (Status status = this->measure(this->closely(), control, distance); !status.ok())
     {

@@ -117,7 +117,7 @@ void testArrays(vtkAnisotropicRemesher* filter)
       { "NumberOfExtraPoints", idType, 1, true }, { "Seed", idType, 1, true },
       { "Year", "vtkIntArray", 1, true }, { "NumberOfFlippedTriangles", idType, 1, false },
       { "TopologyPreserved", idType, 1, false }, { "MaximumDistance", doubleType, 1, false },
-      { "RMSDistance", doubleType, 1, false } });
+      { "RMSDistance", doubleType, 1, false }, { "NormalSmoothingRadius", doubleType, 1, true } });
 
   vtkPolyData* cells = filter->GetVoronoiCellsOutput();
   CHECK_EQUAL(cells->GetNumberOfCells(), cells->GetNumberOfPolys());

@@ -174,7 +174,7 @@ void testNumberOfPoints()
 {
   const auto spreadOf = [](vtkIdType points, int passes, bool given)
   {
-    const auto input = given ? sphereWithNormals("N") : polyDataOf(ellipsoid(3));
+    const auto input = given ? sphereWithNormals("N") : bumpyPlate(30, 0.05, 20.0);
     if (given)
     {
       input->GetPointData()->SetActiveNormals("N");
@@ -235,7 +235,9 @@ void testRoundTrip(vtkPolyData* input, double anisotropy, const char* where)
     remesher->Update();
   }
   CHECK_EQUAL(indirect->GetDimension(), 6);
-  checkSame(contentsOf(indirect), contentsOf(direct), where);
+  std::vector<Content> expected = contentsOf(direct);
+  expected[0].erase("field NormalSmoothingRadius"); // the array's normals are given
+  checkSame(contentsOf(indirect), expected, where);
 }
 }
 

@@ -74,7 +74,7 @@ void testSurfaceProperties(vtkEmbeddedSurfaceAlgorithm* filter)
   CHECK_EQUAL(filter->GetEmbeddingMode(), static_cast<int>(Algorithm::GAUSS_MAP));
   CHECK_EQUAL(filter->GetAnisotropy(), 0.04);
   CHECK_EQUAL(filter->GetNormalSmoothingPasses(), -1);
-  CHECK_EQUAL(filter->GetNormalSmoothingRadius(), 0.0);
+  CHECK_EQUAL(filter->GetNormalSmoothingRadius(), -1.0);
   CHECK_EQUAL(filter->GetMergeTolerance(), 0.0);
   CHECK_EQUAL(filter->GetNumberOfCoordinateArrays(), 0);
   CHECK_EQUAL(filter->GetNumberOfThreads(), 0);
@@ -90,7 +90,7 @@ void testSurfaceProperties(vtkEmbeddedSurfaceAlgorithm* filter)
   CHECK_CLAMPED(filter, EmbeddingMode, 0, 1);
   CHECK_CLAMPED(filter, Anisotropy, 0.0, 1.0);
   CHECK_CLAMPED(filter, NormalSmoothingPasses, -1, 10000);
-  CHECK_CLAMPED(filter, NormalSmoothingRadius, 0.0, VTK_DOUBLE_MAX);
+  CHECK_CLAMPED(filter, NormalSmoothingRadius, -1.0, VTK_DOUBLE_MAX);
   CHECK_CLAMPED(filter, MergeTolerance, 0.0, 0.1);
   CHECK_CLAMPED(filter, NumberOfThreads, 0, 1024);
   CHECK_CLAMPED(filter, SMPBackend, 0, 3);

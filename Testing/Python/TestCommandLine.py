@@ -313,17 +313,19 @@ class TestResults(CommandLineTest):
         surface.GetFieldData().AddArray(radius)
         write(surface, self.input("stale.vtp"))
         found = []
+        radii = []
         for name in ("bare.vtp", "stale.vtp"):
             result = self.run_program(self.input(name), "out.vtp", *SMALL, "--embedded-surface",
                                       "x.vtp", "--report", "r.json")
             self.assertEqual(result.returncode, 0, result.stderr)
             with open(self.path("r.json"), encoding="utf-8") as file:
-                self.assertNotIn("normal_smoothing_radius", json.load(file)["output"])
+                radii.append(json.load(file)["output"]["normal_smoothing_radius"])
             found.append(vtk_to_numpy(read(self.path("x.vtp")).GetPointData()
                                       .GetArray("Embedding")))
         self.assertTrue((found[0] == found[1]).all())
-        self.assertFalse(read(self.path("out.vtp")).GetFieldData().HasArray(
-            "NormalSmoothingRadius"))
+        taken = read(self.path("out.vtp")).GetFieldData().GetArray("NormalSmoothingRadius")
+        self.assertEqual(radii, 2 * [taken.GetValue(0)])
+        self.assertNotEqual(radii[0], 0.7)
 
     def test_isotropic(self):
         self.succeed(self.input(), "a.vtp", *SMALL, "--dimension", "3")

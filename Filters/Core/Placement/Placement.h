@@ -25,6 +25,8 @@ struct Placement
 {
   std::vector<Point3> positions; ///< K, R^3, the unit of the points
   FlipRepair repair;
+  /** Triangles left that face the closest part of the whole surface the wrong way. */
+  Offset strays = 0;
 };
 
 /**

@@ -7,8 +7,6 @@
 
 #include "Support/Parallel.h"
 
-#include <numeric>
-
 namespace remesh
 {
 using VectorField = std::vector<Point3>;
@@ -18,25 +16,6 @@ struct ConjugateGradientsLimits
   int iterations = 400;
   double reduction = 1e-4; ///< of the residual's norm, in the metric of the preconditioner
 };
-
-/** `term(i)` summed over [0, size) in the order of the blocks; stops early when cancelled. */
-template <class Term>
-bool sumInBlocks(const Blocks& blocks, const RunControl& control, const Term& term, double& sum)
-{
-  std::vector<double> parts(static_cast<std::size_t>(blocks.count()), 0.0);
-  const bool done = forEachBlock(blocks.count(), control,
-    [&](Offset block)
-    {
-      double part = 0.0;
-      for (Offset i = blocks.begin(block); i < blocks.end(block); ++i)
-      {
-        part += term(static_cast<std::size_t>(i));
-      }
-      parts[static_cast<std::size_t>(block)] = part;
-    });
-  sum = std::accumulate(parts.begin(), parts.end(), 0.0);
-  return done;
-}
 
 /**
  * Solves A x = b for a symmetric positive definite A, starting from x.

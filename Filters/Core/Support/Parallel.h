@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <vector>
 
 namespace remesh
@@ -46,6 +47,26 @@ struct Blocks
 /** As above, over the items [begin, end) of each block of `blocks`. */
 [[nodiscard]] bool forEachRange(
   const Blocks& blocks, const RunControl& control, const std::function<void(Offset, Offset)>& body);
+
+/** `term(i)` summed over [0, size) in the order of the blocks; stops early when cancelled. */
+template <class Term>
+[[nodiscard]] bool sumInBlocks(
+  const Blocks& blocks, const RunControl& control, const Term& term, double& sum)
+{
+  std::vector<double> parts(static_cast<std::size_t>(blocks.count()), 0.0);
+  const bool done = forEachBlock(blocks.count(), control,
+    [&](Offset block)
+    {
+      double part = 0.0;
+      for (Offset i = blocks.begin(block); i < blocks.end(block); ++i)
+      {
+        part += term(static_cast<std::size_t>(i));
+      }
+      parts[static_cast<std::size_t>(block)] = part;
+    });
+  sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  return done;
+}
 
 /** Reusable scratch objects: a block borrows one and gives it back when the lease ends. */
 template <class T>
