@@ -18,7 +18,8 @@
  * - an embedding array (input array 1) replaces all of it (any d from 2).
  *
  * Input arrays to process: 0, the point normals (default: the active ones; used as they are;
- * if there are none, normals are estimated, weighted by angle and smoothed); 1, the embedding
+ * if there are none, normals are estimated, weighted by angle, and smoothed as
+ * `NormalSmoothingPasses` tells); 1, the embedding
  * array (default: none). Each can be chosen by name ("" or "None": none) or as the active array of
  * an attribute type; a choice that the input has not is an error when the filter runs, but for
  * active normals.
@@ -81,12 +82,13 @@ public:
    * sizes of the triangles, as bends finer than that cannot be meshed. They are left as they are
    * where that would hardly flatten anything but bends along one direction, which long triangles
    * can follow, as on most parts designed on a computer: where the area that normals cover, scaled
-   * by the anisotropy, falls by at most 5 % of the area in R^6. If vtkAnisotropicRemesher's mesh
-   * has faults then, it makes one with smoothed ones, too, and keeps the better one. Where the
-   * normals count for so much that this leaves more bends than points (cells fall into more
-   * than 1.1 parts each), vtkAnisotropicRemesher smooths them over twice or four times that, and
-   * takes up to four times as long; not where it starts from given sites, does no iterations, or
-   * has coordinate arrays. (The outputs' normals are not smoothed.) Given normals never are.
+   * by the anisotropy, falls by at most 5 % of the area in R^6 with smoothed normals. If
+   * vtkAnisotropicRemesher's mesh has faults then, it makes one with smoothed normals, too, and
+   * keeps the better one. Where the normals count for so much that this leaves more bends than
+   * points (cells fall into more than 1.1 parts each), it smooths them over twice or four times
+   * that. All of this takes up to five times as long; it does neither where it starts from given
+   * sites, does no iterations, or has coordinate arrays. (The outputs' normals are not smoothed.)
+   * Given normals never are.
    */
   vtkSetClampMacro(NormalSmoothingPasses, int, -1, 10000);
   vtkGetMacro(NormalSmoothingPasses, int);

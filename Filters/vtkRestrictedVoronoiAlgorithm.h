@@ -30,7 +30,8 @@
  * `MaximumDistance` (the largest found from mesh to surface or back; with a distance tolerance a
  * bound that no point passes) and `RMSDistance` (root of the mean of both mean squares), in the
  * unit of the points; `NormalSmoothingRadius`, the distance over which estimated normals were
- * smoothed, 0 if they were not, unless passes were asked for.
+ * smoothed, 0 if they were not; absent where none are estimated or none count, or passes were asked
+ * for.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball

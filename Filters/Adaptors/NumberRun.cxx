@@ -53,7 +53,8 @@ struct NumberRun
     const PreparationRequest& preparation = this->request.preparation;
     return this->options.optimize &&
       this->options.lloydIterations + this->options.quasiNewton.iterations > 0 &&
-      !this->request.sites && preparation.coordinates.empty() && preparation.smoothingRadius < 0.0;
+      !this->request.sites && preparation.coordinates.empty() &&
+      !(preparation.smoothingRadius >= 0.0);
   }
 
   /** Whether estimated normals were left as they are, of the run's own accord. */
@@ -98,9 +99,10 @@ struct NumberRun
       const bool endsEarly = this->mayEndEarly && this->mayBeWrinkled();
       this->options.mostComponents =
         endsEarly ? mostParts : std::numeric_limits<double>::infinity();
-      this->filled = this->staysSharp() ? 1.0 - shareOfSmoothed
-        : endsEarly || smoothing > 1.0  ? 1.0 - shareOfOthers
-                                        : 1.0;
+      const double others = this->staysSharp() && this->mayWiden() ? shareOfSmoothed
+        : endsEarly || smoothing > 1.0                             ? shareOfOthers
+                                                                   : 0.0;
+      this->filled = 1.0 - others;
       status = remesh(prepared.mesh, prepared.surface, this->options,
         control.part(shareOfPreparation, this->filled), result,
         prepared.features ? &*prepared.features : nullptr);
@@ -152,7 +154,7 @@ struct NumberRun
     {
       status = make();
     }
-    catch (const std::bad_alloc&) // there are two surfaces and results now
+    catch (const std::bad_alloc&) // there are two or three surfaces and results now
     {
       status.code = StatusCode::OutOfMemory;
     }
@@ -182,9 +184,10 @@ struct NumberRun
       const Status status = this->make(std::ldexp(1.0, widening), rest);
       rest = rest.part(this->filled, 1.0);
       const bool fallsApart = this->outcome.result.fallsApart;
-      if (status.ok() && this->staysSharp() && (fallsApart || this->hasFaults()))
+      const bool wasSharp = this->staysSharp();
+      this->request.preparation.mayStaySharp = false;
+      if (status.ok() && wasSharp && (fallsApart || this->hasFaults()))
       {
-        this->request.preparation.mayStaySharp = false;
         const auto makeSmoothed = [&]() { return this->makeWithRadii(rest); };
         return fallsApart ? makeSmoothed() : this->compareWith(makeSmoothed);
       }

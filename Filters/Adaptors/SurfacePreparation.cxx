@@ -109,25 +109,23 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
   return Status::success();
 }
 
-/** Smooths the normals at the scale of the sites, or over the radius that is asked for. */
-void smoothNormals(const PreparationRequest& request, double s, const RunControl& control,
-  PreparedSurface& prepared, std::vector<Point3>& normals)
+/** Estimated normals, smoothed at the scale of the sites or over the radius that is asked for. */
+std::vector<Point3> smoothNormals(
+  const PreparationRequest& request, double s, const RunControl& control, PreparedSurface& prepared)
 {
   const bool isGiven = request.smoothingRadius >= 0.0;
   prepared.smoothingRadius = isGiven
     ? request.smoothingRadius
     : request.smoothing * smoothingRadius(prepared.mesh, request.numberOfSites);
-  std::vector<Point3> smoothed = normals;
+  std::vector<Point3> smoothed = prepared.normals;
   smoothNormalsOver(prepared.mesh, *prepared.smoothingRadius, control, smoothed);
   if (!isGiven && request.mayStaySharp &&
-    wrinkledShare(prepared.mesh, normals, smoothed, s, control.silent()) <= mostWrinkles)
+    wrinkledShare(prepared.mesh, prepared.normals, smoothed, s, control.silent()) <= mostWrinkles)
   {
     prepared.smoothingRadius = 0.0;
+    smoothed = prepared.normals;
   }
-  else
-  {
-    normals = std::move(smoothed);
-  }
+  return smoothed;
 }
 
 /** Position and normal; estimated normals at the scale of the sites, if no passes were asked for.
@@ -135,13 +133,11 @@ void smoothNormals(const PreparationRequest& request, double s, const RunControl
 CornerCoordinates makeGaussMap(const PreparationRequest& request, double s, bool estimated,
   const RunControl& control, PreparedSurface& prepared)
 {
-  if (!estimated || (request.normalSmoothingPasses >= 0 && request.smoothingRadius < 0.0))
-  {
-    return gaussMapCoordinates(prepared.mesh, prepared.normals, s);
-  }
-  std::vector<Point3> normals = prepared.normals;
-  smoothNormals(request, s, control, prepared, normals);
-  return gaussMapCoordinates(prepared.mesh, normals, s);
+  const bool asTheyAre =
+    !estimated || (request.normalSmoothingPasses >= 0 && !(request.smoothingRadius >= 0.0));
+  return asTheyAre
+    ? gaussMapCoordinates(prepared.mesh, prepared.normals, s)
+    : gaussMapCoordinates(prepared.mesh, smoothNormals(request, s, control, prepared), s);
 }
 
 /** The arrays of the embedding, each with its scale, or an error. */

@@ -24,10 +24,10 @@ namespace remesh
 struct PreparationRequest
 {
   bool gaussMap = true;
-  double anisotropy = 0.04;          ///< fraction of the bounding-box diagonal
-  int normalSmoothingPasses = -1;    ///< negative: over the spacing of `numberOfSites`
-  double smoothing = 1.0;            ///< that radius is multiplied by this
-  bool mayStaySharp = true;          ///< not at all where that would flatten few wrinkles
+  double anisotropy = 0.04;       ///< fraction of the bounding-box diagonal
+  int normalSmoothingPasses = -1; ///< negative: over the spacing of `numberOfSites`
+  double smoothing = 1.0;         ///< that radius is multiplied by this
+  bool mayStaySharp = true; ///< whether normals are left as they are where they have few wrinkles
   double smoothingRadius = -1.0;     ///< 0 or more: this one instead, whatever the passes
   Offset numberOfSites = 10000;      ///< that the surface is prepared for
   double mergeTolerance = 0.0;       ///< fraction of the bounding-box diagonal
@@ -55,7 +55,7 @@ struct PreparedSurface
   SurfaceMesh mesh;
   IntakeReport intake;
   std::vector<Point3> normals; ///< C, unit; before the smoothing over the spacing
-  /** Of that smoothing, in the unit of the points; 0: none. Of estimated normals alone. */
+  /** Of that smoothing, in the unit of the points; 0: none. Where estimated normals count. */
   std::optional<double> smoothingRadius;
   CornerCoordinates coordinates; ///< C x d, the caller's units; empty where not to be kept
   EmbeddedSurface surface;

@@ -23,6 +23,18 @@ std::vector<Point3> waveNormals(const SurfaceMesh& square, double lean, int alon
   return normals;
 }
 
+/** Normals of waves along a direction, however the triangles lie to it. */
+std::vector<Point3> bendNormals(const SurfaceMesh& square, double x, double y)
+{
+  std::vector<Point3> normals;
+  for (const Point3& p : square.points)
+  {
+    const double slope = std::cos(25.0 * (x * p[0] + y * p[1]));
+    normals.push_back(Point3(slope * x, slope * y, 1.0).normalized());
+  }
+  return normals;
+}
+
 double shareOf(const SurfaceMesh& mesh, const std::vector<Point3>& normals,
   const std::vector<Point3>& smoothed, double s)
 {
@@ -46,13 +58,19 @@ int TestWrinkles(int, char*[])
       CHECK_NEAR(shareOf(square, flat, wrinkled, s), -expected, 0.01 * expected);
       CHECK_EQUAL(shareOf(square, wrinkled, wrinkled, s), 0.0);
     }
-    const std::vector<Point3> bent = waveNormals(square, 0.5, 8, 0);
-    CHECK(std::abs(shareOf(square, bent, flat, s)) < 1e-3 * s * s);
+    for (const auto& [x, y] : { std::pair(1.0, 0.0), std::pair(0.6, 0.8), std::pair(0.9, 0.4) })
+    {
+      const std::vector<Point3> bent = bendNormals(square, x, y);
+      CHECK(std::abs(shareOf(square, bent, flat, s)) < 1e-12 * s * s);
+    }
   }
   // As a share of the area in R^6: where that is large, by normals that all lean, it is less.
   const std::vector<Point3> leaning = waveNormals(square, 0.5, 6, 0);
   const std::vector<Point3> both = waveNormals(square, 0.5, 6, 5);
   const double small = shareOf(square, both, leaning, 0.01) / 1e-4;
-  CHECK(shareOf(square, both, leaning, 1.0) < 0.5 * small);
+  const double large = shareOf(square, both, leaning, 1.0);
+  CHECK(large < 0.5 * small);
+  // The smoothed ones' area, not that of the others.
+  CHECK_NEAR(shareOf(square, both, flat, 1.0), 4.0 * shareOf(square, both, flat, 0.5), 1e-9);
   return test::result();
 }

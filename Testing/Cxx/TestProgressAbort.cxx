@@ -238,6 +238,15 @@ int TestProgressAbort(int, char*[])
     testAbort(wrinkled, moment);
   }
 
+  // Two: with normals as they are, until cells fall apart, and smoothed.
+  wrinkled->SetInputData(wavyPlate(120, 0.0, 0.0));
+  wrinkled->SetNumberOfPoints(200);
+  testProgress(wrinkled, 30);
+  for (const double moment : { 0.5, 0.93, 0.98 })
+  {
+    testAbort(wrinkled, moment);
+  }
+
   testResponsiveness();
   return result();
 }

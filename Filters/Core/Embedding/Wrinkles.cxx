@@ -1,10 +1,11 @@
 #include "Embedding/Wrinkles.h"
 
 #include "Embedding/Embedding.h"
-#include "Mesh/FacetGeometry.h"
 #include "Support/Parallel.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
 
 namespace remesh
 {
@@ -19,6 +20,11 @@ double sumOverFacets(const SurfaceMesh& mesh, const RunControl& control, const A
   return sumInBlocks(blocks, control, areaOf, sum) ? sum : 0.0;
 }
 
+/**
+ * Half the volume that each facet's normals span: the area of a small triangle between them, and
+ * none where they lie on one great circle, as those of a bend along one direction, however its
+ * facets are turned.
+ */
 double areaOfNormals(
   const SurfaceMesh& mesh, const std::vector<Point3>& normals, const RunControl& control)
 {
@@ -26,7 +32,7 @@ double areaOfNormals(
     [&](std::size_t f)
     {
       const auto& [a, b, c] = mesh.facetCorners[f];
-      return facetArea(normals[a], normals[b], normals[c]);
+      return 0.5 * std::abs(normals[a].dot(normals[b].cross(normals[c])));
     });
 }
 
