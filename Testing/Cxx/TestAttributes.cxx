@@ -228,6 +228,8 @@ void testEarlierFacts()
       std::string("no word of ") + name + " in: " + text);
     CHECK(!second->GetOutput()->GetFieldData()->HasArray(name));
   }
+  // Its own, not the one that the first mesh was given.
+  CHECK(arrayOf(second->GetOutput()->GetFieldData(), "NormalSmoothingRadius")->GetTuple1(0) != 0.3);
   for (int port = 0; port < second->GetNumberOfOutputPorts(); ++port)
   {
     vtkFieldData* facts = second->GetOutputDataObject(port)->GetFieldData();
