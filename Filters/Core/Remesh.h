@@ -75,11 +75,12 @@ struct RemeshResult
   PlainSums plainComponentSums; ///< of the components, likewise
   Diagram diagram;
   Components components;
-  Stations stations;                      ///< on the features' curves; none without features
-  FeatureSites featureSites;              ///< the first sites; none without features
-  Offset wantedVertices = 0;              ///< that there should be
-  Offset neededFeaturePoints = 0;         ///< that corners and bends of the features take at least
-  Seams seams;                            ///< edges of the mesh along features among it
+  Stations stations;              ///< on the features' curves; none without features
+  FeatureSites featureSites;      ///< the first sites; none without features
+  Offset wantedVertices = 0;      ///< that there should be
+  Offset neededFeaturePoints = 0; ///< that corners and bends of the features take at least
+  double shareApart = 1.0;        ///< of the surface, farther than the spacing from features
+  Seams seams;                    ///< edges of the mesh along features among it
   std::vector<SurfaceLocation> locations; ///< of the placed vertices
   Dual dual;                              ///< its triangles after placement
   Placement placement;                    ///< of its vertices

@@ -236,7 +236,10 @@ Status smooth(const Task& task, const RunControl& control, Carried& carried, Rep
     broken = !status.ok() || !result.topology.certificate.holds() ||
       result.components.count() != count || result.seams.intrusions.size() > intrusions ||
       static_cast<Offset>(flippedTriangles(task, FlipSteps::Move, control, result).size()) >
-        repair.counts.flips;
+        repair.counts.flips ||
+      (repair.counts.flips == 0 &&
+        static_cast<Offset>(wrongTriangles(task, true, control, result).size()) >
+          repair.counts.strays);
     if (status.ok() && broken)
     {
       restoreState(repair, result);
@@ -257,6 +260,7 @@ Status findDual(const Task& task, bool othersStay, const RunControl& control, Re
   {
     Repair repair;
     repair.othersStay = othersStay;
+    repair.leastFree = task.leastFreeSites(result.shareApart);
     Carried carried;
     Status status = mendAll(task, control, carried, repair, result);
     if (status.ok() && !result.fallsApart && !othersStay)

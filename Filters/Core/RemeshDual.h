@@ -17,7 +17,8 @@ namespace remesh
  * 2. where the certificate fails, sites are added, and others taken away (RepairStage); where none
  *    can be, curves that other cells on features reach get places;
  * 3. where the number of vertices is not what was asked for, sites are added or taken away;
- * 4. where triangles are flipped, sites are added, and others taken away.
+ * 4. where triangles are flipped, and then where they face another part of the surface the wrong
+ *    way, sites are added, and others taken away.
  *
  * The first changes are followed by a few steps of Lloyd's around them; later ones change nothing
  * but what they must. If there were such, the sites around them, but for those added and their

@@ -2,6 +2,7 @@
 
 #include "Delaunay/FeatureRepair.h"
 #include "Delaunay/TopologyRepair.h"
+#include "Placement/StrayTriangles.h"
 
 #include <algorithm>
 #include <iterator>
@@ -23,7 +24,7 @@ constexpr int settledRefinements = 4;
 constexpr int mostAdjustments = 10;   // of the number of vertices
 constexpr int settledAdjustments = 4; // later ones change nothing but what they must
 constexpr int mostFlipRounds = 8;     // in which sites go to flipped triangles
-constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges if these mend them
+constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges
 constexpr double noSides = 0.25;      // of the triangles flipped: as if sides were drawn by lot
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 
@@ -68,10 +69,11 @@ Index repairCurves(const Task& task, const std::vector<Intrusion>& intrusions,
   const RunControl& control, Repair& repair, RemeshResult& result)
 {
   const Offset before = result.featureSites.numberOfPoints();
+  const Offset vertices = std::max(task.options.numberOfSites, result.numberOfVertexSites());
+  const Offset most = task.mostPointsOnFeatures(vertices, result.shareApart);
   Refinement refinement;
   const Index touched = refineCurves(task.mesh, task.surface, *task.features, intrusions,
-    result.sites, task.mostPointsOnFeatures(result.numberOfVertexSites()), control, result.stations,
-    result.featureSites, refinement.removed);
+    result.sites, most, control, result.stations, result.featureSites, refinement.removed);
   if (touched > 0)
   {
     const Offset joining = static_cast<Offset>(refinement.removed.size());
@@ -190,90 +192,178 @@ Index repairTopology(
 }
 }
 
-std::vector<Index> flippedTriangles(
-  const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result)
+namespace
 {
-  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
-  const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
-    result.components, result.dual.triangles, fixed, &result.seams.segments };
-  const NearbySurface surface(problem);
-  FlipSearch search(surface);
-  std::vector<Index> flipped;
-  Status status = search.find(result.dual.triangles, result.components.centroids, control, flipped);
-  if (!status.ok() || flipped.empty())
-  {
-    return {};
-  }
-  if (flipped.size() > noSides * static_cast<double>(result.dual.triangles.size()))
-  {
-    return flipped; // no steps would be worth their time
-  }
-  std::vector<Point3> positions = result.components.centroids;
-  std::vector<Triple> triangles = result.dual.triangles;
+/** What vertices at the centroids of their cells are placed by. */
+PlacementProblem problemOf(
+  const Task& task, const RemeshResult& result, const std::vector<char>& fixed)
+{
+  return { task.mesh, task.surface, result.sites, result.diagram, result.components,
+    result.dual.triangles, fixed, &result.seams.segments };
+}
+
+/** Of the flipped triangles, as `search` found them, those that these steps do not turn back. */
+std::vector<Index> leftFlipped(const PlacementProblem& problem, const NearbySurface& surface,
+  FlipSteps steps, const RunControl& control, FlipSearch& search)
+{
+  const std::vector<Point3>& centroids = problem.components.centroids;
+  std::vector<Point3> positions = centroids;
+  std::vector<Triple> triangles = problem.triangles;
   FlipRepair repair;
-  status = repairFlips(problem, surface, result.components.centroids, result.components.centroids,
-    steps, control, search, triangles, positions, repair);
+  Status status = repairFlips(
+    problem, surface, centroids, centroids, steps, control, search, triangles, positions, repair);
   if (!status.ok() || repair.flippedTriangles == 0)
   {
     return {};
   }
+  std::vector<Index> flipped;
   status = search.find(triangles, positions, control, flipped);
   return status.ok() ? flipped : std::vector<Index>();
+}
+}
+
+std::vector<Index> flippedTriangles(
+  const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result)
+{
+  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
+  const PlacementProblem problem = problemOf(task, result, fixed);
+  const NearbySurface surface(problem);
+  FlipSearch search(surface);
+  std::vector<Index> flipped;
+  const Status status =
+    search.find(problem.triangles, result.components.centroids, control, flipped);
+  if (!status.ok() || flipped.empty())
+  {
+    return {};
+  }
+  if (flipped.size() > noSides * static_cast<double>(problem.triangles.size()))
+  {
+    return flipped; // no steps would be worth their time
+  }
+  return leftFlipped(problem, surface, steps, control, search);
+}
+
+std::vector<Index> wrongTriangles(
+  const Task& task, bool noneFlipped, const RunControl& control, const RemeshResult& result)
+{
+  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
+  const PlacementProblem problem = problemOf(task, result, fixed);
+  const std::vector<Point3>& centroids = result.components.centroids;
+  const WholeSurface whole(task.mesh, control);
+  std::vector<char> suspects;
+  if (noneFlipped)
+  {
+    const Status status =
+      findSuspects(problem, whole, problem.triangles, centroids, control, suspects);
+    if (!status.ok() || std::none_of(suspects.begin(), suspects.end(), [](char s) { return s; }))
+    {
+      return {};
+    }
+  }
+  const NearbySurface surface(problem, 0.0, &whole);
+  FlipSearch search(surface);
+  std::vector<Index> wrong;
+  const Status status =
+    search.find(problem.triangles, centroids, control, wrong, noneFlipped ? &suspects : nullptr);
+  if (!status.ok() || wrong.empty())
+  {
+    return {};
+  }
+  return static_cast<Offset>(wrong.size()) > mostStrays(problem.triangles.size())
+    ? wrong
+    : leftFlipped(problem, surface, FlipSteps::Move, control, search);
 }
 
 namespace
 {
-/** Whether two rounds of sites for flipped triangles have not even halved their number. */
-bool helpsNoMore(const Repair& repair)
+/** Whether two rounds of sites have not even halved what they were for. */
+bool helpsNoMore(const std::vector<Offset>& before, Offset now)
 {
-  const std::vector<Offset>& before = repair.flipsBefore;
-  return before.size() >= 2 && 2 * repair.counts.flips > before[before.size() - 2];
+  return before.size() >= 2 && 2 * now > before[before.size() - 2];
 }
 
-/** Sites for where triangles are flipped; others are taken away. */
-Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+/** Sites for these triangles; others are taken away. */
+Index refineAt(
+  const std::vector<Index>& triangles, const Task& task, Repair& repair, RemeshResult& result)
 {
-  const std::vector<Index> flipped = flippedTriangles(task, FlipSteps::Move, control, result);
-  repair.counts.flips = static_cast<Offset>(flipped.size());
-  if (repair.flipRounds == 0 && !result.topology.certificate.holds())
-  {
-    repair.counts.flips = 0;
-    if (scoreOf(task.options, result, repair) > repair.scoreOfBest)
-    {
-      return 0; // the best one is restored in the end
-    }
-    repair.scoreOfBest = worstScore; // flipped triangles were not counted yet
-    repair.counts.flips = static_cast<Offset>(flipped.size());
-  }
-  keepBest(task.options, result, repair);
-  if (repair.flipRounds >= mostFlipRounds || helpsNoMore(repair) ||
-    isHopeless(repair.counts.flips, result))
-  {
-    return 0;
-  }
-  const double few = fewFlips * static_cast<double>(result.dual.triangles.size());
-  const bool turnsMend = static_cast<double>(repair.counts.flips) <= few &&
-    flippedTriangles(task, FlipSteps::MoveAndTurn, control, result).empty();
-  if (flipped.empty() || turnsMend)
-  {
-    return 0;
-  }
   ++repair.flipRounds;
-  repair.flipsBefore.push_back(repair.counts.flips);
   repair.rounds = 0;
   repair.idleRounds = 0;
   repair.adjustments = std::min(repair.adjustments, settledAdjustments);
   Certificate failures;
-  for (const Index t : flipped)
+  for (const Index t : triangles)
   {
     failures.vertices.push_back(result.dual.triangles[t]);
   }
   const Offset wanted = wantedVertices(task.options, result, repair);
   Refinement refinement = refineTriangles(
-    { task.surface, result.sites, result.diagram }, result.components, result.dual, flipped);
+    { task.surface, result.sites, result.diagram }, result.components, result.dual, triangles);
   return refinement.added.empty()
     ? 0
     : revise(std::move(refinement), failures, wanted, task, repair, result);
+}
+
+/** Sites for where triangles are flipped, and then for strays. */
+Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+{
+  RepairCounts& counts = repair.counts;
+  const std::vector<Index> flipped = flippedTriangles(task, FlipSteps::Move, control, result);
+  counts.flips = static_cast<Offset>(flipped.size());
+  counts.strays = 0;
+  if (repair.flipRounds == 0 && !result.topology.certificate.holds())
+  {
+    counts.flips = 0;
+    if (scoreOf(task.options, result, repair) > repair.scoreOfBest)
+    {
+      return 0; // the best one is restored in the end
+    }
+    repair.scoreOfBest = worstScore; // flipped triangles were not counted yet
+    counts.flips = static_cast<Offset>(flipped.size());
+  }
+  const auto size = static_cast<Offset>(result.dual.triangles.size());
+  const bool hopeless = isHopeless(counts.flips, result);
+  const std::vector<Index> wrong =
+    hopeless ? flipped : wrongTriangles(task, flipped.empty(), control, result);
+  counts.strays = std::max(static_cast<Offset>(wrong.size()) - counts.flips, Offset(0));
+  keepBest(task.options, result, repair);
+  if (repair.flipRounds >= mostFlipRounds || hopeless)
+  {
+    return 0;
+  }
+  const auto areFew = [&](Offset some)
+  { return static_cast<double>(some) <= fewFlips * static_cast<double>(size); };
+  const bool flipsRest = repair.straysBefore.size() > 0 || flipped.empty() ||
+    helpsNoMore(repair.flipsBefore, counts.flips) ||
+    (areFew(counts.flips) &&
+      flippedTriangles(task, FlipSteps::MoveAndTurn, control, result).empty());
+  if (!flipsRest)
+  {
+    repair.flipsBefore.push_back(counts.flips);
+    return refineAt(flipped, task, repair, result);
+  }
+  const auto all = static_cast<Offset>(wrong.size());
+  if (areFew(all) || all > mostStrays(size) || helpsNoMore(repair.straysBefore, all))
+  {
+    return 0;
+  }
+  repair.straysBefore.push_back(all);
+  return refineAt(wrong, task, repair, result);
+}
+}
+
+namespace
+{
+/**
+ * The number of vertices to aim at on the way to the one that is wanted, counting one for each site
+ * that goes: with cells of several parts, more vertices go than that.
+ */
+Offset nextNumber(Offset wanted, const RemeshResult& result)
+{
+  const Offset count = result.components.count();
+  const Offset surplus = count - wanted;
+  const Offset free = result.sites.count() - result.sites.fixed;
+  const Offset parts = count - result.featureSites.numberOfPoints(); // of their cells, about
+  return surplus > 1 && parts > free ? count - std::max(surplus * free / parts, Offset(1)) : wanted;
 }
 }
 
@@ -292,6 +382,7 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   if (!result.topology.certificate.holds() && repair.stage != RepairStage::GivenUp)
   {
     repair.counts.flips = 0;
+    repair.counts.strays = 0;
     keepBest(task.options, result, repair);
     if (const Index touched = repairTopology(task, control, repair, result); touched > 0)
     {
@@ -306,7 +397,8 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
     // Where cells reach several parts of the surface, others may come to do so with each that goes.
     keepIfBest(task.options, result, repair);
     ++repair.adjustments;
-    if (const Index touched = revise({}, result.topology.certificate, wanted, task, repair, result);
+    const Offset next = nextNumber(wanted, result);
+    if (const Index touched = revise({}, result.topology.certificate, next, task, repair, result);
         touched > 0)
     {
       return touched;

@@ -21,8 +21,18 @@ std::vector<Index> flippedTriangles(
   const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result);
 
 /**
+ * The triangles of the cells' centroids that face their own facets, or those of a part of the
+ * surface that is closer (StrayTriangles.h), the wrong way and are not turned back by moving
+ * vertices.
+ *
+ * @param noneFlipped whether none faces its own facets the wrong way: saves time.
+ */
+std::vector<Index> wrongTriangles(
+  const Task& task, bool noneFlipped, const RunControl& control, const RemeshResult& result);
+
+/**
  * Mends the first of these that is wrong: cells that reach a curve between its sites, the topology,
- * the number of vertices, flipped triangles.
+ * the number of vertices, flipped triangles, strays.
  *
  * @param result with the diagram and dual of its sites, which change.
  * @return the number of sites touched; 0 if there is nothing to mend that can be.

@@ -1,9 +1,11 @@
 #include "RemeshStart.h"
 
+#include "Embedding/Distance.h"
 #include "Features/CurveSeparation.h"
 #include "Features/PatchSampling.h"
 #include "Optimization/Lloyd.h"
 #include "Optimization/SiteGrowth.h"
+#include "Voronoi/NeighborSearch.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <algorithm>
@@ -17,8 +19,32 @@ namespace
 constexpr Offset growth = 4; // times as many sites, where each pair of neighbours has one
 constexpr Offset fewestCoarse = 100;
 constexpr Offset fewestForFixed = 20; // sites in all: beside fixed ones nothing grows
+constexpr Offset probes = 4000;       // of the surface
 constexpr int coarseLloyd = 2;
 constexpr int coarseNewton = 8;
+
+/** Of the surface, the share that is farther than the spacing from all sites. */
+double shareApart(
+  const EmbeddedSurface& surface, const Sites& sites, double spacing, const RunControl& control)
+{
+  Sites places;
+  places.dimension = surface.dimension;
+  const Status status =
+    sampleSurface(surface, probes, SamplingMethod::Stratified, 0, places, control);
+  if (!status.ok() || sites.count() == 0)
+  {
+    return 1.0;
+  }
+  const NeighborSearch search(sites);
+  Offset apart = 0;
+  for (Index k = 0; k < places.count(); ++k)
+  {
+    const double* place = places.site(k);
+    const double* nearest = sites.site(search.nearest(place));
+    apart += squaredDistance<Eigen::Dynamic>(place, nearest, surface.dimension) > spacing * spacing;
+  }
+  return static_cast<double>(apart) / static_cast<double>(places.count());
+}
 
 /** The sites on the features. */
 Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult& result)
@@ -31,8 +57,11 @@ Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult&
     return Status::cancelled();
   }
   result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
-  separateCurves(task.mesh, task.surface, *task.features, task.mostPointsOnFeatures(0),
-    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites)), control,
+  const double spacing =
+    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites));
+  result.shareApart = shareApart(task.surface, result.featureSites.sites, spacing, control);
+  separateCurves(task.mesh, task.surface, *task.features,
+    task.mostPointsOnFeatures(options.numberOfSites, result.shareApart), spacing, control,
     result.stations, result.featureSites);
   result.sites = result.featureSites.sites;
   return control.cancelled() ? Status::cancelled() : Status::success();

@@ -36,10 +36,26 @@ struct Task
   const Features* features; ///< nullptr: none
   const RemeshOptions& options;
 
-  /** To keep curves apart, of so many vertices that there are, or of those asked for. */
-  Offset mostPointsOnFeatures(Offset vertices) const
+  /**
+   * Of so many vertices, those that features may take so that their curves are kept apart: the rest
+   * of the surface gets half of what it would if all were spread evenly, if not less than a tenth.
+   *
+   * @param shareApart of the surface, what is far from features.
+   */
+  Offset mostPointsOnFeatures(Offset vertices, double shareApart) const
   {
-    return std::max(this->options.numberOfSites, vertices) * 9 / 10;
+    const double share = std::clamp(1.0 - 0.5 * shareApart, 0.6, 0.9);
+    return static_cast<Offset>(share * static_cast<double>(vertices));
+  }
+
+  /**
+   * Free sites that stay, though cells of several parts make more vertices than asked for. Where
+   * little is far from features, the cells there cover it.
+   */
+  Offset leastFreeSites(double shareApart) const
+  {
+    const double share = 0.2 * std::max(shareApart - 0.3, 0.0);
+    return static_cast<Offset>(share * static_cast<double>(this->options.numberOfSites));
   }
 };
 }

@@ -47,7 +47,8 @@ Offset wantedVertices(
   const RemeshOptions& options, const RemeshResult& result, const Repair& repair)
 {
   return options.exactNumber
-    ? std::max(options.numberOfSites, leastVertices(result)) + repair.counts.extraPoints
+    ? std::max(options.numberOfSites, leastVertices(result) + repair.leastFree) +
+      repair.counts.extraPoints
     : result.components.count();
 }
 
@@ -61,6 +62,7 @@ Score scoreOf(const RemeshOptions& options, const RemeshResult& result, const Re
     !certificate.holds(),
     options.exactNumber ? std::max(Offset(0), beyond - repair.counts.extraPoints) : 0,
     certificate.violations() + repair.counts.flips,
+    repair.counts.strays,
   };
 }
 

@@ -19,7 +19,8 @@ struct RepairCounts
 {
   Index addedSites = 0; ///< about the last ones there are
   Offset extraPoints = 0;
-  Offset flips = 0; ///< flipped triangles; 0 as long as the topology is being repaired
+  Offset flips = 0;  ///< flipped triangles; 0 as long as the topology is being repaired
+  Offset strays = 0; ///< StrayTriangles.h; 0 as long as there are flipped ones to be repaired
 };
 
 /** A copy of all sites, held once for all that need it. */
@@ -46,18 +47,19 @@ enum class RepairStage
 
 /**
  * How many vertices there are too many or too few, whether the certificate fails, how many vertices
- * more than asked for features and parts of cells take, and how many failures and flipped triangles
- * there are; lower is better. The number goes before the failures: as long as there are any, more
- * points that do not mend all of them are of no use.
+ * more than asked for features and parts of cells take, how many failures and flipped triangles
+ * there are, and how many strays; lower is better. The number goes before the failures: as long as
+ * there are any, more points that do not mend all of them are of no use.
  */
-using Score = std::tuple<Offset, bool, Offset, Offset>;
+using Score = std::tuple<Offset, bool, Offset, Offset, Offset>;
 
-const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0, 0 };
+const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0, 0, 0 };
 
 /** What was mended how often, each with its own bound, and the best state so far. */
 struct Repair
 {
   bool othersStay = false; ///< only sites touched may change, from the first on
+  Offset leastFree = 0;    ///< free sites that stay, whatever the number of vertices
   int refinements = 0;
   int adjustments = 0;
   RepairStage stage = RepairStage::Refine;
@@ -66,8 +68,9 @@ struct Repair
   Offset fewestFailures = std::numeric_limits<Offset>::max();
   /** Of the cells that failed when it last came nearer, at first, while they were few. */
   double failingMass = std::numeric_limits<double>::infinity();
-  int flipRounds = 0;
-  std::vector<Offset> flipsBefore; ///< of these rounds, flipped triangles
+  int flipRounds = 0;               ///< for flipped triangles and for strays
+  std::vector<Offset> flipsBefore;  ///< of these rounds, flipped triangles
+  std::vector<Offset> straysBefore; ///< likewise
 
   bool wentBack = false; ///< to the best state, by the last change
 
@@ -90,7 +93,10 @@ void restoreState(Repair& repair, RemeshResult& result);
  */
 Offset leastVertices(const RemeshResult& result);
 
-/** As many as there shall be: those asked for if they can be reached, and those added beyond. */
+/**
+ * As many as there shall be: those asked for if they can be reached without too few free sites, and
+ * those added beyond.
+ */
 Offset wantedVertices(
   const RemeshOptions& options, const RemeshResult& result, const Repair& repair);
 

@@ -7,6 +7,7 @@
 #include "Placement/Quadric.h"
 #include "Placement/Retreat.h"
 #include "Placement/StepLimit.h"
+#include "Placement/StrayTriangles.h"
 #include "Placement/SurfaceFit.h"
 #include "Placement/TriangleShape.h"
 #include "Support/Parallel.h"
@@ -19,12 +20,6 @@ namespace remesh
 {
 namespace
 {
-/** With more triangles that face other parts of the surface, of so many, points are too few. */
-Offset mostStrays(Offset triangles)
-{
-  return std::min(triangles / 20, 50 + triangles / 100);
-}
-
 /** Centroids but at the fixed vertices that have places already. */
 std::vector<Point3> startingPlaces(
   const PlacementProblem& problem, const std::vector<Point3>& given)
@@ -214,27 +209,6 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   }
   repair.movedVertices += moved;
   return status;
-}
-
-/** The triangles that face against one of the surface's facets that are closest to them. */
-Status findSuspects(const PlacementProblem& problem, const WholeSurface& whole,
-  const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
-  const RunControl& control, std::vector<char>& suspects)
-{
-  suspects.assign(triangles.size(), 0);
-  const bool done =
-    forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control,
-      [&](Offset begin, Offset end)
-      {
-        for (Offset t = begin; t < end; ++t)
-        {
-          const auto [a, b, c] = cornersOf(triangles[t], positions);
-          const Offset piece = problem.components.pieceBegin[triangles[t][0]];
-          const Index nearby = problem.diagram.facets[problem.components.pieces[piece]];
-          suspects[t] = whole.leastCosine((a + b + c) / 3.0, facetNormal(a, b, c), nearby) < 0.0;
-        }
-      });
-  return done ? Status::success() : Status::cancelled();
 }
 
 /**

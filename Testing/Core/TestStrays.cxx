@@ -1,0 +1,50 @@
+// RemeshRepair: where triangles on one side of a thin sheet lie next to the other side, sites are
+// added until they do not.
+
+#include "RemeshRepair.h"
+#include "TestPlacements.h"
+#include "TestSurfaces.h"
+
+#include <cmath>
+#include <tuple>
+
+using namespace remesh;
+
+namespace
+{
+/** A closed sheet, thin and wavy. */
+SurfaceMesh leaf(double thickness)
+{
+  TriangleSoup soup = test::icosphere(5);
+  for (Point3& p : soup.points)
+  {
+    const double x = p.x();
+    const double y = 0.6 * p.y();
+    p = Point3(x, y, thickness * p.z() + 0.15 * std::sin(6.0 * x) * std::cos(5.0 * y));
+  }
+  return test::meshOf(soup);
+}
+}
+
+int TestStrays(int, char*[])
+{
+  using Case = std::tuple<double, double, int>;
+  for (const auto& [thickness, anisotropy, number] :
+    { Case(0.02, 0.02, 1000), Case(0.02, 0.02, 2000), Case(0.03, 0.0, 500), Case(0.03, 0.02, 1000),
+      Case(0.05, 0.04, 500), Case(0.08, 0.1, 500) })
+  {
+    const SurfaceMesh mesh = leaf(thickness);
+    const EmbeddedSurface surface = test::gaussMapOf(mesh, anisotropy);
+    RemeshOptions options;
+    options.numberOfSites = number;
+    options.exactNumber = true;
+    RemeshResult result;
+    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK_EQUAL(result.components.count(), number);
+    CHECK(result.topology.preserved());
+    CHECK_EQUAL(result.placement.repair.flippedEdges, 0); // so the mesh is still the dual
+    const Task task{ mesh, surface, nullptr, options };
+    CHECK(wrongTriangles(task, false, RunControl(), result).empty());
+  }
+  return test::result();
+}
