@@ -282,6 +282,16 @@ bool helpsNoMore(const std::vector<Offset>& before, Offset now)
   return before.size() >= 2 && 2 * now > before[before.size() - 2];
 }
 
+/**
+ * Strays as the score counts them: as long as there are not half as many as at first, as many.
+ * Where the surface goes through itself, sites help nothing, and would be missed elsewhere.
+ */
+Offset countStrays(const Repair& repair, Offset strays)
+{
+  const Offset first = repair.straysBefore.empty() ? strays : repair.straysBefore.front();
+  return 2 * strays <= first ? strays : first;
+}
+
 /** Sites for these triangles; others are taken away. */
 Index refineAt(
   const std::vector<Index>& triangles, const Task& task, Repair& repair, RemeshResult& result)
@@ -324,7 +334,8 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   const bool hopeless = isHopeless(counts.flips, result);
   const std::vector<Index> wrong =
     hopeless ? flipped : wrongTriangles(task, flipped.empty(), control, result);
-  counts.strays = std::max(static_cast<Offset>(wrong.size()) - counts.flips, Offset(0));
+  counts.strays =
+    countStrays(repair, std::max(static_cast<Offset>(wrong.size()) - counts.flips, Offset(0)));
   keepBest(task.options, result, repair);
   if (repair.flipRounds >= mostFlipRounds || hopeless)
   {

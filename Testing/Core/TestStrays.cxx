@@ -29,9 +29,8 @@ SurfaceMesh leaf(double thickness)
 int TestStrays(int, char*[])
 {
   using Case = std::tuple<double, double, int>;
-  for (const auto& [thickness, anisotropy, number] :
-    { Case(0.02, 0.02, 1000), Case(0.02, 0.02, 2000), Case(0.03, 0.0, 500), Case(0.03, 0.02, 1000),
-      Case(0.05, 0.04, 500), Case(0.08, 0.1, 500) })
+  for (const auto& [thickness, anisotropy, number] : { Case(0.02, 0.02, 1000), Case(0.03, 0.0, 500),
+         Case(0.03, 0.02, 1000), Case(0.05, 0.04, 500), Case(0.08, 0.1, 500) })
   {
     const SurfaceMesh mesh = leaf(thickness);
     const EmbeddedSurface surface = test::gaussMapOf(mesh, anisotropy);
