@@ -360,10 +360,7 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   repair.straysBefore.push_back(all);
   return refineAt(wrong, task, repair, result);
 }
-}
 
-namespace
-{
 /**
  * The number of vertices to aim at on the way to the one that is wanted, counting one for each site
  * that goes: with cells of several parts, more vertices go than that.
