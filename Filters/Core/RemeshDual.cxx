@@ -5,6 +5,7 @@
 #include "Features/FeatureGraph.h"
 #include "Optimization/FixedSites.h"
 #include "Optimization/LocalRelaxation.h"
+#include "RemeshFacing.h"
 #include "RemeshRepair.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
@@ -201,6 +202,16 @@ Status mendAll(
   return status;
 }
 
+/** Whether more triangles face the wrong way than were counted. */
+bool facesWorse(
+  const Task& task, const RepairCounts& counts, const RunControl& control, RemeshResult& result)
+{
+  const auto [found, flipped] = flippedTriangles(task, FlipSteps::Move, control, result);
+  return static_cast<Offset>(flipped.size()) > counts.flips ||
+    (counts.flips == 0 &&
+      static_cast<Offset>(wrongTriangles(task, found, control, result).size()) > counts.strays);
+}
+
 /** Spreads the sites evenly where some came or went, as far as nothing breaks. */
 Status smooth(const Task& task, const RunControl& control, Carried& carried, Repair& repair,
   RemeshResult& result)
@@ -235,11 +246,7 @@ Status smooth(const Task& task, const RunControl& control, Carried& carried, Rep
     }
     broken = !status.ok() || !result.topology.certificate.holds() ||
       result.components.count() != count || result.seams.intrusions.size() > intrusions ||
-      static_cast<Offset>(flippedTriangles(task, FlipSteps::Move, control, result).size()) >
-        repair.counts.flips ||
-      (repair.counts.flips == 0 &&
-        static_cast<Offset>(wrongTriangles(task, true, control, result).size()) >
-          repair.counts.strays);
+      facesWorse(task, repair.counts, control, result);
     if (status.ok() && broken)
     {
       restoreState(repair, result);

@@ -3,6 +3,7 @@
 #include "Delaunay/FeatureRepair.h"
 #include "Delaunay/TopologyRepair.h"
 #include "Placement/StrayTriangles.h"
+#include "RemeshFacing.h"
 
 #include <algorithm>
 #include <iterator>
@@ -25,7 +26,6 @@ constexpr int mostAdjustments = 10;   // of the number of vertices
 constexpr int settledAdjustments = 4; // later ones change nothing but what they must
 constexpr int mostFlipRounds = 8;     // in which sites go to flipped triangles
 constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges
-constexpr double noSides = 0.25;      // of the triangles flipped: as if sides were drawn by lot
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 
 /** Adds these sites, and others or none, so that the mesh has as many vertices as wanted. */
@@ -190,92 +190,7 @@ Index repairTopology(
   repair.rounds = mostRepairs;
   return repairTopology(task, control, repair, result);
 }
-}
 
-namespace
-{
-/** What vertices at the centroids of their cells are placed by. */
-PlacementProblem problemOf(
-  const Task& task, const RemeshResult& result, const std::vector<char>& fixed)
-{
-  return { task.mesh, task.surface, result.sites, result.diagram, result.components,
-    result.dual.triangles, fixed, &result.seams.segments };
-}
-
-/** Of the flipped triangles, as `search` found them, those that these steps do not turn back. */
-std::vector<Index> leftFlipped(const PlacementProblem& problem, const NearbySurface& surface,
-  FlipSteps steps, const RunControl& control, FlipSearch& search)
-{
-  const std::vector<Point3>& centroids = problem.components.centroids;
-  std::vector<Point3> positions = centroids;
-  std::vector<Triple> triangles = problem.triangles;
-  FlipRepair repair;
-  Status status = repairFlips(
-    problem, surface, centroids, centroids, steps, control, search, triangles, positions, repair);
-  if (!status.ok() || repair.flippedTriangles == 0)
-  {
-    return {};
-  }
-  std::vector<Index> flipped;
-  status = search.find(triangles, positions, control, flipped);
-  return status.ok() ? flipped : std::vector<Index>();
-}
-}
-
-std::vector<Index> flippedTriangles(
-  const Task& task, FlipSteps steps, const RunControl& control, const RemeshResult& result)
-{
-  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
-  const PlacementProblem problem = problemOf(task, result, fixed);
-  const NearbySurface surface(problem);
-  FlipSearch search(surface);
-  std::vector<Index> flipped;
-  const Status status =
-    search.find(problem.triangles, result.components.centroids, control, flipped);
-  if (!status.ok() || flipped.empty())
-  {
-    return {};
-  }
-  if (flipped.size() > noSides * static_cast<double>(problem.triangles.size()))
-  {
-    return flipped; // no steps would be worth their time
-  }
-  return leftFlipped(problem, surface, steps, control, search);
-}
-
-std::vector<Index> wrongTriangles(
-  const Task& task, bool noneFlipped, const RunControl& control, const RemeshResult& result)
-{
-  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
-  const PlacementProblem problem = problemOf(task, result, fixed);
-  const std::vector<Point3>& centroids = result.components.centroids;
-  const WholeSurface whole(task.mesh, control);
-  std::vector<char> suspects;
-  if (noneFlipped)
-  {
-    const Status status =
-      findSuspects(problem, whole, problem.triangles, centroids, control, suspects);
-    if (!status.ok() || std::none_of(suspects.begin(), suspects.end(), [](char s) { return s; }))
-    {
-      return {};
-    }
-  }
-  const NearbySurface surface(problem, 0.0, &whole);
-  FlipSearch search(surface);
-  std::vector<Index> wrong;
-  const Status status =
-    search.find(problem.triangles, centroids, control, wrong, noneFlipped ? &suspects : nullptr);
-  if (!status.ok() || wrong.empty())
-  {
-    return {};
-  }
-  return static_cast<Offset>(wrong.size()) > mostStrays(problem.triangles.size())
-    ? wrong
-    : leftFlipped(problem, surface, FlipSteps::Move, control, search);
-}
-
-namespace
-{
 /** Whether two rounds of sites have not even halved what they were for. */
 bool helpsNoMore(const std::vector<Offset>& before, Offset now)
 {
@@ -317,7 +232,7 @@ Index refineAt(
 Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   RepairCounts& counts = repair.counts;
-  const std::vector<Index> flipped = flippedTriangles(task, FlipSteps::Move, control, result);
+  const auto [found, flipped] = flippedTriangles(task, FlipSteps::Move, control, result);
   counts.flips = static_cast<Offset>(flipped.size());
   counts.strays = 0;
   if (repair.flipRounds == 0 && !result.topology.certificate.holds())
@@ -333,7 +248,7 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   const auto size = static_cast<Offset>(result.dual.triangles.size());
   const bool hopeless = isHopeless(counts.flips, result);
   const std::vector<Index> wrong =
-    hopeless ? flipped : wrongTriangles(task, flipped.empty(), control, result);
+    hopeless ? flipped : wrongTriangles(task, found, control, result);
   counts.strays =
     countStrays(repair, std::max(static_cast<Offset>(wrong.size()) - counts.flips, Offset(0)));
   keepBest(task.options, result, repair);
@@ -346,7 +261,7 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   const bool flipsRest = repair.straysBefore.size() > 0 || flipped.empty() ||
     helpsNoMore(repair.flipsBefore, counts.flips) ||
     (areFew(counts.flips) &&
-      flippedTriangles(task, FlipSteps::MoveAndTurn, control, result).empty());
+      flippedTriangles(task, FlipSteps::MoveAndTurn, control, result).left.empty());
   if (!flipsRest)
   {
     repair.flipsBefore.push_back(counts.flips);
