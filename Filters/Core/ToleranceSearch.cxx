@@ -19,7 +19,13 @@ namespace
 constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
 constexpr double mostOnFeatures = 0.6;   // of the points, see sampleCurves
 constexpr int settlingSteps = 2;
-constexpr int mostIdleRounds = 6; // without progress
+constexpr int mostIdleRounds = 14; // without progress
+constexpr int crowdingRounds = 2; // likewise; then cells around far places get sites, too
+/**
+ * Share of cells with a far place from which on no others move for those that are added: they would
+ * come to be too far themselves, so that the far places wander and do not end.
+ */
+constexpr double fewFarCells = 0.05;
 constexpr double progress = 0.95; // of the least share of cells with a far place so far
 constexpr double tooNear = 0.2;   // to a site, for another one; over the root of its cell's mass
 constexpr double manyTolerances = 3.0; // beyond which a cell gets two sites at once
@@ -185,11 +191,10 @@ std::vector<double> newSites(const Search& search, std::vector<Excess> excess, O
   return added;
 }
 
-/** Free sites of these components and of those around them. */
-std::vector<char> sitesAround(const Search& search, const std::vector<Excess>& excess)
+/** K, 1: one of these components or of those around them. */
+std::vector<char> componentsAround(const Search& search, const std::vector<Excess>& excess)
 {
-  const Components& components = search.result.components;
-  std::vector<char> chosen(static_cast<std::size_t>(components.count()), 0);
+  std::vector<char> chosen(static_cast<std::size_t>(search.result.components.count()), 0);
   for (const Excess& each : excess)
   {
     chosen[each.component] = 1;
@@ -202,6 +207,14 @@ std::vector<char> sitesAround(const Search& search, const std::vector<Excess>& e
       chosen[triangle[0]] = chosen[triangle[1]] = chosen[triangle[2]] = 1;
     }
   }
+  return chosen;
+}
+
+/** Free sites of these components and of those around them. */
+std::vector<char> sitesAround(const Search& search, const std::vector<Excess>& excess)
+{
+  const Components& components = search.result.components;
+  const std::vector<char> chosen = componentsAround(search, excess);
   std::vector<char> sites(static_cast<std::size_t>(search.result.sites.count()), 0);
   for (Index k = 0; k < components.count(); ++k)
   {
@@ -210,14 +223,18 @@ std::vector<char> sitesAround(const Search& search, const std::vector<Excess>& e
   return sites;
 }
 
-/** Lloyd's step for some sites: all others, and so the mesh elsewhere, stay. */
-Status settle(Search& search, const std::vector<char>& moves, const RunControl& control)
+/**
+ * Lloyd's steps for some sites: all others, and so the mesh elsewhere, stay.
+ *
+ * @param sums of the last step.
+ */
+Status settle(
+  Search& search, const std::vector<char>& moves, const RunControl& control, CellSums& sums)
 {
   Sites& sites = search.result.sites;
   RestrictedVoronoi voronoi(search.surface);
   for (int step = 0; step < settlingSteps; ++step)
   {
-    CellSums sums;
     if (Status status = voronoi.integrate(sites, control.step(step, settlingSteps), sums);
         !status.ok())
     {
@@ -225,7 +242,7 @@ Status settle(Search& search, const std::vector<char>& moves, const RunControl& 
     }
     for (Index i = sites.fixed; i < sites.count(); ++i)
     {
-      if (moves[i] && sums.mass[i] > 0.0)
+      if (moves[i] && !sums.isEmpty(i))
       {
         double* x = sites.site(i);
         const double* moment = sums.moment.data() + static_cast<std::size_t>(i) * sites.dimension;
@@ -241,20 +258,58 @@ Status settle(Search& search, const std::vector<char>& moves, const RunControl& 
   return Status::success();
 }
 
-/** Adds sites and makes the mesh anew. */
-Status refine(Search& search, const std::vector<Excess>& excess, const std::vector<double>& added,
-  RunControl control)
+/** Takes one site more for each of these components and of those around them, at most so many. */
+void crowd(
+  const Search& search, const std::vector<Excess>& excess, Offset most, std::vector<double>& added)
+{
+  const std::vector<char> chosen = componentsAround(search, excess);
+  const Offset room = most * search.surface.dimension;
+  for (Index k = 0; k < search.result.components.count(); ++k)
+  {
+    if (chosen[k] && static_cast<Offset>(added.size()) + search.surface.dimension <= room)
+    {
+      const std::vector<double> farthest = farthestPlace(search, k);
+      added.insert(added.end(), farthest.begin(), farthest.end());
+    }
+  }
+}
+
+/** Leaves out those of the last sites that have no cell: two were added in one place. */
+void dropEmpty(const CellSums& sums, Index first, Sites& sites)
+{
+  Index kept = first;
+  for (Index i = first; i < sites.count(); ++i)
+  {
+    if (!sums.isEmpty(i))
+    {
+      std::copy_n(sites.site(i), sites.dimension, sites.site(kept++));
+    }
+  }
+  sites.coordinates.resize(static_cast<std::size_t>(kept) * sites.dimension);
+}
+
+/**
+ * Adds sites and makes the mesh anew.
+ *
+ * @param moves free sites that make room for the new ones.
+ */
+Status refine(
+  Search& search, std::vector<char> moves, const std::vector<double>& added, RunControl control)
 {
   RemeshResult& result = search.result;
-  std::vector<char> moves = sitesAround(search, excess);
+  const auto first = static_cast<Index>(moves.size());
   result.sites.coordinates.insert(result.sites.coordinates.end(), added.begin(), added.end());
-  result.movedSites += result.sites.count() - static_cast<Index>(moves.size());
   moves.resize(static_cast<std::size_t>(result.sites.count()), 1);
   control.enterPhase("Refinement", 0.0, 0.3);
-  Status status = settle(search, moves, control);
-  return status.ok() ? completeMesh(search.mesh, search.surface, search.options,
-                         control.part(0.3, 1.0), result, search.features)
-                     : status;
+  CellSums sums;
+  if (Status status = settle(search, moves, control, sums); !status.ok())
+  {
+    return status;
+  }
+  dropEmpty(sums, first, result.sites);
+  result.movedSites += result.sites.count() - first;
+  return completeMesh(
+    search.mesh, search.surface, search.options, control.part(0.3, 1.0), result, search.features);
 }
 }
 
@@ -298,8 +353,17 @@ Status refineToTolerance(const SurfaceMesh& mesh, const EmbeddedSurface& surface
                                : ToleranceOutcome::Stuck;
       return Status::success();
     }
-    const std::vector<double> added = newSites(search, excess, room);
-    if (Status status = refine(search, excess, added, control.part(0.1, 0.5)); !status.ok())
+    std::vector<double> added = newSites(search, excess, room);
+    const bool othersStay = idle > 0 || share < fewFarCells;
+    if (idle >= crowdingRounds && share < fewFarCells)
+    {
+      crowd(search, excess, room, added);
+    }
+    std::vector<char> moves = othersStay
+      ? std::vector<char>(static_cast<std::size_t>(result.sites.count()), 0)
+      : sitesAround(search, excess);
+    if (Status status = refine(search, std::move(moves), added, control.part(0.1, 0.5));
+        !status.ok())
     {
       return status;
     }

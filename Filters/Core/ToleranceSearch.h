@@ -26,7 +26,7 @@ struct ToleranceOptions
 {
   double tolerance = 0.0;      ///< above 0, in the unit of the points
   Offset mostPoints = 1000000; ///< that the mesh may have
-  int mostRounds = 30;         ///< of step 3
+  int mostRounds = 40;         ///< of step 3
 };
 
 enum class ToleranceOutcome

@@ -92,6 +92,24 @@ void testBox()
   CHECK(checkKept(polyDataOf(soup), 1e-4) < 100);
 }
 
+/** Few, flat sides that meet in a tip, all without creases: far places wander from cell to cell. */
+void testTips()
+{
+  for (const auto& [sides, tolerance] : { std::pair(20, 1e-3), std::pair(28, 3e-3) })
+  {
+    TriangleSoup cone{ { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, {} };
+    for (Index k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * pi * k / sides;
+      cone.points.push_back({ 0.0, 0.5 * std::cos(angle), 0.5 * std::sin(angle) });
+      const Index next = 2 + (k + 1) % sides;
+      cone.triangles.push_back({ 0, 2 + k, next });
+      cone.triangles.push_back({ 1, next, 2 + k });
+    }
+    CHECK(checkKept(polyDataOf(cone), tolerance) < 1000);
+  }
+}
+
 /** A unit square with count x count square studs on it, in a grid; each cell a quadrilateral. */
 TriangleSoup studs(int count, double width, double height)
 {
@@ -288,6 +306,7 @@ int TestTolerance(int, char*[])
 {
   testSphere();
   testBox();
+  testTips();
   testSmallCreases();
   testManyRounds();
   testShallowCreases();
