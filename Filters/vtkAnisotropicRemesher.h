@@ -15,9 +15,13 @@
  * thin parts and at tips, sites are added, and those that matter least are taken away, until it is
  * or nothing helps any more; then the mesh may have more points (`MaximumNumberOfExtraPoints`). If
  * even that fails, the best of these meshes is given back, with a warning. Sites are sent to
- * triangles that face against the surface, likewise. All this is no part of
- * the optimisation: `Convergence` ends before it, and nothing is changed when both numbers of
- * iterations are 0.
+ * triangles that face against the surface, likewise; a warning tells of those that are left. All
+ * this is no part of the optimisation: `Convergence` ends before it, and nothing is changed when
+ * both numbers of iterations are 0.
+ *
+ * There is a warning, too, where the RMS distance is above a tenth of the mean spacing of the points
+ * (unless `MeasureDistance` is off, a tolerance is set, or the initial sites are given): the mesh
+ * then misses parts of the surface, whatever else holds of it.
  *
  * Input port 0: the surface. Input port 1 (optional): initial sites. Their number replaces
  * `NumberOfPoints`; their point array `Embedding`, if it has d components, is their place in R^d,

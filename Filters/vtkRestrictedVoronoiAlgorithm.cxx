@@ -7,6 +7,7 @@
 #include "Adaptors/NumberRun.h"
 #include "Adaptors/ProgressAdaptor.h"
 #include "Adaptors/ReservedNames.h"
+#include "Adaptors/RunWarnings.h"
 #include "Features/FeatureGraph.h"
 #include "MeshDistance.h"
 
@@ -177,59 +178,6 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
   }
   return remesh::Status::success();
 }
-
-/**
- * What a user should know of a result that is not as good as it could be.
- *
- * @param hasNumber whether a number of points was asked for, and not a distance.
- */
-std::vector<std::string> warningsOf(
-  const remesh::NumberOutcome& outcome, const remesh::RemeshOptions& options, bool hasNumber)
-{
-  const remesh::RemeshResult& result = outcome.result;
-  std::vector<std::string> warnings = outcome.prepared.warnings;
-  if (!outcome.given.warning.empty())
-  {
-    warnings.push_back(outcome.given.warning);
-  }
-  if (!options.optimize)
-  {
-    return warnings;
-  }
-  if (result.emptyCells > 0)
-  {
-    warnings.push_back(std::to_string(result.emptyCells) +
-      " sites have empty cells: the surface cannot hold so many points.");
-  }
-  const remesh::Offset extra = result.components.count() - result.wantedVertices;
-  if (hasNumber &&
-    extra > std::max(result.sites.count() / remesh::Offset(100), options.maximumExtraPoints))
-  {
-    warnings.push_back("The mesh has " + std::to_string(extra) +
-      " points more than asked for, as features take so many, or so many cells "
-      "reach several parts of the surface. More points or less anisotropy help.");
-  }
-  if (hasNumber && extra < 0 && result.emptyCells == 0)
-  {
-    warnings.push_back("The mesh has fewer points than asked for, by " + std::to_string(-extra) +
-      ", as so many cells reach several parts of the surface. More points help.");
-  }
-  if (hasNumber && 2 * result.neededFeaturePoints > options.numberOfSites)
-  {
-    warnings.push_back("Corners and curves of the surface need " +
-      std::to_string(result.neededFeaturePoints) + " of the " +
-      std::to_string(options.numberOfSites) + " points asked for; the mesh has " +
-      std::to_string(result.components.count()) + ", " +
-      std::to_string(result.featureSites.numberOfPoints()) +
-      " of them there. More points or a larger feature angle help.");
-  }
-  if (result.topology.lost())
-  {
-    warnings.push_back(
-      result.topology.describe() + " More points, extra points or less anisotropy help.");
-  }
-  return warnings;
-}
 }
 
 int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
@@ -308,7 +256,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
     return ended == vtkInternals::Outcome::Nothing;
   }
   const bool hasNumber = !(this->Internals->Tolerance.tolerance > 0.0);
-  std::vector<std::string> warnings = warningsOf(outcome, options, hasNumber);
+  std::vector<std::string> warnings = remesh::warningsOf(outcome, options, hasNumber);
   const std::string distribution = remesh::describeDistribution(inputVector[0]);
   if (!distribution.empty())
   {

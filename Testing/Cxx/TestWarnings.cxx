@@ -5,6 +5,8 @@
 #include "vtkAnisotropicRemesher.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricKuen.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -49,7 +51,55 @@ void testExtraPoints()
   const auto filter = remesherOf(polyDataOf(soup), 20);
   filter->SetAnisotropy(0.0);
   filter->PreserveFeaturesOff(); // which tell the sheets apart by their borders
+  filter->MeasureDistanceOff();  // from borders that are not kept, by so few points
   checkWarning("two sheets", filter, "points more than asked for");
+}
+
+/** Two spheres, the inner one turned inside out, closer than the sagitta of their triangles. */
+void testStrays()
+{
+  TriangleSoup shell = icosphere(4);
+  TriangleSoup inner = icosphere(4);
+  for (Point3& point : inner.points)
+  {
+    point *= 0.99;
+  }
+  for (auto& triangle : inner.triangles)
+  {
+    std::swap(triangle[1], triangle[2]);
+  }
+  append(shell, inner, Point3::Zero());
+  checkWarning("a thin shell", remesherOf(polyDataOf(shell), 100), "closer to another part");
+}
+
+/** A surface that goes through itself, between rims that all but touch. */
+void testFlipped()
+{
+  vtkNew<vtkParametricKuen> kuen;
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(kuen);
+  source->SetUResolution(60);
+  source->SetVResolution(60);
+  source->Update();
+  const auto input = vtkSmartPointer<vtkPolyData>::New();
+  input->CopyStructure(source->GetOutput());
+  checkWarning("Kuen's surface", remesherOf(input, 1000), "the surface the wrong way");
+}
+
+/** A sphere with spikes that a few points cannot follow. */
+void testFarMesh()
+{
+  TriangleSoup spiky = icosphere(5);
+  for (Point3& point : spiky.points)
+  {
+    const Point3 wave = (6.0 * point).array().sin();
+    point *= 1.0 + 0.5 * wave.prod();
+  }
+  const auto filter = remesherOf(polyDataOf(spiky), 30);
+  filter->SetAnisotropy(0.0);
+  checkWarning("a spiky sphere", filter, "The mesh is far from the surface");
+  filter->MeasureDistanceOff();
+  checkWarning("a spiky sphere, not measured", filter, "");
 }
 
 void testNothingToTell()
@@ -106,6 +156,9 @@ int TestWarnings(int, char*[])
 {
   testNothingToTell();
   testExtraPoints();
+  testStrays();
+  testFlipped();
+  testFarMesh();
   testUnfitArrays();
   testSitesOfAnotherDimension();
   testToleranceWithSites();

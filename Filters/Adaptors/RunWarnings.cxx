@@ -1,0 +1,124 @@
+#include "Adaptors/RunWarnings.h"
+
+#include "Features/FeatureGraph.h"
+#include "Mesh/FacetGeometry.h"
+#include "Placement/StrayTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace remesh
+{
+namespace
+{
+constexpr double mostOfSpacing = 0.1; // the RMS distance of a mesh that resolves its surface
+
+double areaOf(const SurfaceMesh& mesh)
+{
+  double area = 0.0;
+  for (const Triple& facet : mesh.facetPoints)
+  {
+    area += facetArea(mesh.points[facet[0]], mesh.points[facet[1]], mesh.points[facet[2]]);
+  }
+  return area;
+}
+
+/** The mean distance between neighbours, as if points were spread evenly and hexagonally. */
+double meanSpacing(const NumberOutcome& outcome)
+{
+  const double area = areaOf(outcome.prepared.mesh);
+  return std::sqrt(
+    2.0 / std::sqrt(3.0) * area / static_cast<double>(outcome.result.components.count()));
+}
+
+/** A mesh that misses parts of the surface, whatever else holds of it. */
+void tellDistance(const NumberOutcome& outcome, std::vector<std::string>& warnings)
+{
+  if (!outcome.result.distance)
+  {
+    return;
+  }
+  const double rms = outcome.result.distance->rms();
+  const double share = rms / meanSpacing(outcome);
+  if (share > mostOfSpacing)
+  {
+    std::ostringstream warning;
+    warning.precision(2);
+    warning << "The mesh is far from the surface: the RMS distance is " << rms << ", " << share
+            << " times the mean spacing of the points. They are too few, or features and the "
+               "topology take too many. More points or another anisotropy help.";
+    warnings.push_back(warning.str());
+  }
+}
+
+void tellWrongTriangles(const RemeshResult& result, std::vector<std::string>& warnings)
+{
+  if (const Offset flipped = result.placement.repair.flippedTriangles; flipped > 0)
+  {
+    warnings.push_back(std::to_string(flipped) +
+      (flipped == 1 ? " triangle faces" : " triangles face") +
+      " the surface the wrong way. More points or less anisotropy help.");
+  }
+  else if (const Offset strays = result.placement.strays;
+           strays > mostStrays(static_cast<Offset>(result.dual.triangles.size())))
+  {
+    warnings.push_back(std::to_string(strays) +
+      " triangles are closer to another part of the surface than to their own, and face it the "
+      "wrong way. More points help where its sheets are close to each other.");
+  }
+}
+}
+
+std::vector<std::string> warningsOf(
+  const NumberOutcome& outcome, const RemeshOptions& options, bool hasNumber)
+{
+  const RemeshResult& result = outcome.result;
+  std::vector<std::string> warnings = outcome.prepared.warnings;
+  if (!outcome.given.warning.empty())
+  {
+    warnings.push_back(outcome.given.warning);
+  }
+  if (!options.optimize)
+  {
+    return warnings;
+  }
+  if (hasNumber && result.emptyCells > 0)
+  {
+    warnings.push_back(std::to_string(result.emptyCells) +
+      " sites have empty cells: the surface cannot hold so many points.");
+  }
+  const Offset extra = result.components.count() - result.wantedVertices;
+  if (hasNumber && extra > std::max(result.sites.count() / Offset(100), options.maximumExtraPoints))
+  {
+    warnings.push_back("The mesh has " + std::to_string(extra) +
+      " points more than asked for, as features take so many, or so many cells "
+      "reach several parts of the surface. More points or less anisotropy help.");
+  }
+  if (hasNumber && extra < 0 && result.emptyCells == 0)
+  {
+    warnings.push_back("The mesh has fewer points than asked for, by " + std::to_string(-extra) +
+      ", as so many cells reach several parts of the surface. More points help.");
+  }
+  if (hasNumber && 2 * result.neededFeaturePoints > options.numberOfSites)
+  {
+    warnings.push_back("Corners and curves of the surface need " +
+      std::to_string(result.neededFeaturePoints) + " of the " +
+      std::to_string(options.numberOfSites) + " points asked for; the mesh has " +
+      std::to_string(result.components.count()) + ", " +
+      std::to_string(result.featureSites.numberOfPoints()) +
+      " of them there. More points or a larger feature angle help.");
+  }
+  if (result.topology.lost())
+  {
+    warnings.push_back(
+      result.topology.describe() + " More points, extra points or less anisotropy help.");
+  }
+  tellWrongTriangles(result, warnings);
+  if (hasNumber && options.initialSites.count() == 0) // else it is the caller's choice
+  {
+    tellDistance(outcome, warnings);
+  }
+  return warnings;
+}
+}
