@@ -19,9 +19,9 @@
  * this is no part of the optimisation: `Convergence` ends before it, and nothing is changed when
  * both numbers of iterations are 0.
  *
- * There is a warning, too, where the RMS distance is above a tenth of the mean spacing of the points
- * (unless `MeasureDistance` is off, a tolerance is set, or the initial sites are given): the mesh
- * then misses parts of the surface, whatever else holds of it.
+ * There is a warning, too, where the RMS distance is above a tenth of the points' mean spacing,
+ * unless `MeasureDistance` is off, a tolerance is set, or initial sites are given: the mesh then
+ * misses parts of the surface, whatever else holds of it.
  *
  * Input port 0: the surface. Input port 1 (optional): initial sites. Their number replaces
  * `NumberOfPoints`; their point array `Embedding`, if it has d components, is their place in R^d,
