@@ -18,7 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <iterator>

@@ -1,6 +1,5 @@
 #include "Adaptors/RunWarnings.h"
 
-#include "Features/FeatureGraph.h"
 #include "Mesh/FacetGeometry.h"
 #include "Placement/StrayTriangles.h"
 

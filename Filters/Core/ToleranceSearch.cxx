@@ -20,7 +20,7 @@ constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
 constexpr double mostOnFeatures = 0.6;   // of the points, see sampleCurves
 constexpr int settlingSteps = 2;
 constexpr int mostIdleRounds = 14; // without progress
-constexpr int crowdingRounds = 2; // likewise; then cells around far places get sites, too
+constexpr int crowdingRounds = 2;  // likewise; then cells around far places get sites, too
 /**
  * Share of cells with a far place from which on no others move for those that are added: they would
  * come to be too far themselves, so that the far places wander and do not end.
