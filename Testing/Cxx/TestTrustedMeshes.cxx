@@ -2,13 +2,7 @@
 // features where they were.
 
 #include "TestIntersections.h"
-
-#include "vtkAnisotropicRemesher.h"
-#include "vtkCleanPolyData.h"
-#include "vtkParametricFunctionSource.h"
-#include "vtkParametricSuperToroid.h"
-#include "vtkSurfaceMeshComparison.h"
-#include "vtkTable.h"
+#include "TestTrials.h"
 
 #include <cmath>
 #include <functional>
@@ -18,46 +12,6 @@ using namespace remesh::test;
 
 namespace
 {
-/** A mesh and how it compares with its surface. */
-struct Trial
-{
-  vtkSmartPointer<vtkPolyData> mesh;
-  vtkSmartPointer<vtkSurfaceMeshComparison> comparison;
-
-  double value(const std::string& column) const
-  {
-    vtkDataArray* array = vtkDataArray::SafeDownCast(
-      this->comparison->GetSummaryOutput()->GetColumnByName(column.c_str()));
-    CHECK(array != nullptr);
-    return array ? array->GetComponent(0, 0) : 0.0;
-  }
-};
-
-/** What every mesh must keep: topology, the number of points, and the side it faces. */
-Trial keepingMesh(vtkPolyData* surface, vtkIdType points, double anisotropy)
-{
-  auto remesher = vtkSmartPointer<vtkAnisotropicRemesher>::New();
-  remesher->SetInputData(surface);
-  remesher->SetNumberOfPoints(points);
-  remesher->SetAnisotropy(anisotropy);
-  Messages messages(remesher);
-  remesher->Update();
-  CHECK(messages.errors().empty() && messages.warnings().empty());
-  Trial trial{ remesher->GetOutput(), vtkSmartPointer<vtkSurfaceMeshComparison>::New() };
-  trial.comparison->SetInputData(trial.mesh);
-  trial.comparison->SetReferenceData(surface);
-  trial.comparison->SetNumberOfSamples(20000);
-  trial.comparison->BoundMaximumDistanceOff();
-  trial.comparison->Update();
-  CHECK_EQUAL(trial.mesh->GetNumberOfPoints(), points);
-  CHECK_EQUAL(trial.value("NumberOfFlippedTriangles"), 0.0);
-  for (const char* kept : { "EulerCharacteristic", "NumberOfComponents", "NumberOfBoundaryLoops" })
-  {
-    CHECK_EQUAL(trial.value(kept), trial.value(std::string("Reference") + kept));
-  }
-  return trial;
-}
-
 /** One that does not go through itself, either. */
 Trial checkedMesh(vtkPolyData* surface, vtkIdType points, double anisotropy)
 {
@@ -345,54 +299,6 @@ void testThinSheet()
   }
 }
 
-/** A closed star with sharp edges, each cut off: two creases close to each other. */
-vtkSmartPointer<vtkPolyData> star()
-{
-  vtkNew<vtkParametricSuperToroid> shape;
-  shape->SetN1(0.3);
-  shape->SetN2(2.5);
-  vtkNew<vtkParametricFunctionSource> source;
-  source->SetParametricFunction(shape);
-  source->SetUResolution(120);
-  source->SetVResolution(90);
-  vtkNew<vtkCleanPolyData> closed;
-  closed->SetInputConnection(source->GetOutputPort());
-  closed->ToleranceIsAbsoluteOn();
-  closed->SetAbsoluteTolerance(1e-7);
-  closed->ConvertPolysToLinesOff();
-  closed->Update();
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(closed->GetOutput()->GetPoints());
-  surface->SetPolys(closed->GetOutput()->GetPolys());
-  return surface;
-}
-
-/** A closed sheet, thin and wavy, whose rim is as sharp as a crease in some places. */
-vtkSmartPointer<vtkPolyData> leaf()
-{
-  TriangleSoup soup = icosphere(6);
-  for (Point3& p : soup.points)
-  {
-    const double x = p[0];
-    const double y = 0.6 * p[1];
-    p = Point3(x, y, 0.02 * p[2] + 0.15 * std::sin(6.0 * x) * std::cos(5.0 * y));
-  }
-  return polyDataOf(soup);
-}
-
-/**
- * Curves that take any number of points to be kept apart, and cells that reach both sides of a
- * sheet, leave enough points for the rest of the surface, and for the number asked for.
- */
-void testNothingStarves()
-{
-  for (const auto& surface : { star(), leaf() })
-  {
-    const Trial trial = keepingMesh(surface, 1000, 0.0);
-    CHECK(trial.value("RelativeRMSDistance") < 1e-3);
-  }
-}
-
 /** A torus whose hole is far smaller than the cells: they are closed in on it until it is kept. */
 void testNarrowHole()
 {
@@ -455,7 +361,6 @@ int TestTrustedMeshes(int, char*[])
   testRoughSphere();
   testBumps();
   testThinSheet();
-  testNothingStarves();
   testNarrowHole();
   testHoles();
   testVoxels();

@@ -1,0 +1,69 @@
+// Curves and cells of several parts leave enough points for the rest of the surface.
+
+#include "TestTrials.h"
+
+#include "vtkCleanPolyData.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricSuperToroid.h"
+
+#include <cmath>
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+/** A closed star with sharp edges, each cut off: two creases close to each other. */
+vtkSmartPointer<vtkPolyData> star()
+{
+  vtkNew<vtkParametricSuperToroid> shape;
+  shape->SetN1(0.3);
+  shape->SetN2(2.5);
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(shape);
+  source->SetUResolution(120);
+  source->SetVResolution(90);
+  vtkNew<vtkCleanPolyData> closed;
+  closed->SetInputConnection(source->GetOutputPort());
+  closed->ToleranceIsAbsoluteOn();
+  closed->SetAbsoluteTolerance(1e-7);
+  closed->ConvertPolysToLinesOff();
+  closed->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(closed->GetOutput()->GetPoints());
+  surface->SetPolys(closed->GetOutput()->GetPolys());
+  return surface;
+}
+
+/** A closed sheet, thin and wavy, whose rim is as sharp as a crease in some places. */
+vtkSmartPointer<vtkPolyData> leaf()
+{
+  TriangleSoup soup = icosphere(6);
+  for (Point3& p : soup.points)
+  {
+    const double x = p[0];
+    const double y = 0.6 * p[1];
+    p = Point3(x, y, 0.02 * p[2] + 0.15 * std::sin(6.0 * x) * std::cos(5.0 * y));
+  }
+  return polyDataOf(soup);
+}
+
+/**
+ * Curves that take any number of points to be kept apart, and cells that reach both sides of a
+ * sheet, leave enough points for the rest of the surface, and for the number asked for.
+ */
+void testNothingStarves()
+{
+  for (const auto& surface : { star(), leaf() })
+  {
+    const Trial trial = keepingMesh(surface, 1000, 0.0);
+    CHECK(trial.value("RelativeRMSDistance") < 1e-3);
+  }
+}
+}
+
+int TestStarvation(int, char*[])
+{
+  testNothingStarves();
+  return result();
+}
