@@ -97,7 +97,8 @@ void testTips()
 {
   for (const auto& [sides, tolerance] : { std::pair(20, 1e-3), std::pair(28, 3e-3) })
   {
-    TriangleSoup cone{ { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, {} };
+    TriangleSoup cone;
+    cone.points = { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
     for (Index k = 0; k < sides; ++k)
     {
       const double angle = 2.0 * pi * k / sides;
