@@ -218,12 +218,7 @@ bool FacetIntegration<D>::integrateLarge(Index facet, const Owners& owners)
       first = w == 0 ? &view : first;
     }
   }
-  const auto isNew = [this, facet](Index site, const double*)
-  {
-    const bool met = m_facetOfSite[site] == facet;
-    m_facetOfSite[site] = facet;
-    return !met;
-  };
+  const auto isNew = [this, facet](Index site, const double*) { return this->meets(site, facet); };
   double farthest = 0.0;
   const bool complete = this->seesAll(reference, farthest);
   if (!this->addNeighbors(
@@ -231,7 +226,7 @@ bool FacetIntegration<D>::integrateLarge(Index facet, const Owners& owners)
   {
     return false;
   }
-  m_expanded.assign(1, reference.site);
+  m_expanded.clear();
   for (int round = 0; round < mostRounds; ++round)
   {
     bool grown = false;
@@ -319,9 +314,53 @@ bool FacetIntegration<D>::winsSomewhere(const double values[3]) const
   return false;
 }
 
+/** Whether this is the first time that a large facet meets a site. */
+template <int D>
+bool FacetIntegration<D>::meets(Index site, Index facet)
+{
+  const bool met = m_facetOfSite[site] == facet;
+  m_facetOfSite[site] = facet;
+  return !met;
+}
+
+/** Adds the sites in the list of a part's own site that win something. False if there are too many.
+ */
+template <int D>
+bool FacetIntegration<D>::addListed(Index site, Index facet, double farthest)
+{
+  this->look(site, m_surface.facetCorners[facet], m_cellView);
+  return this->addNeighbors(m_cellView, farthest,
+    [this, facet](Index neighbor, const double values[3])
+    { return this->meets(neighbor, facet) && this->winsSomewhere(values); });
+}
+
+/** The same for all sites within a distance: beside many close together, lists end early. */
+template <int D>
+bool FacetIntegration<D>::addNearby(Index site, Index facet, double distance)
+{
+  m_lists.sitesNear(m_sites.site(site), distance, m_near);
+  for (const Neighbor& neighbor : m_near)
+  {
+    if (!this->meets(neighbor.site, facet))
+    {
+      continue;
+    }
+    this->look(neighbor.site, m_surface.facetCorners[facet], m_cellView);
+    if (this->winsSomewhere(m_cellView.values))
+    {
+      if (m_envelope.count == Envelope::mostSites)
+      {
+        return false;
+      }
+      this->addSite(neighbor.site, m_cellView.values);
+    }
+  }
+  return true;
+}
+
 /**
- * Whether, for each part, the reference's list or that of the part's own site holds all sites that
- * may win there. Those of the latter join in where they win: `grown`.
+ * Lets sites join in that win something: for each part those that may, from the list of the part's
+ * own site, unless the reference's list holds them. False if there are too many.
  */
 template <int D>
 bool FacetIntegration<D>::checkCells(Index facet, bool& grown)
@@ -338,23 +377,16 @@ bool FacetIntegration<D>::checkCells(Index facet, bool& grown)
       continue;
     }
     const Index site = m_ids[slot];
-    if (!m_lists.holds(site, 2.0 * reach[slot].radius * aboveRounding, farthest))
+    const double diameter = 2.0 * reach[slot].radius * aboveRounding;
+    const bool isListed = m_lists.holds(site, diameter, farthest);
+    if ((isListed && site == reference) ||
+      std::find(m_expanded.begin(), m_expanded.end(), site) != m_expanded.end())
     {
-      return false;
-    }
-    if (std::find(m_expanded.begin(), m_expanded.end(), site) != m_expanded.end())
-    {
-      continue;
+      continue; // parts only shrink: all are in
     }
     m_expanded.push_back(site);
-    this->look(site, m_surface.facetCorners[facet], m_cellView);
-    const bool fits = this->addNeighbors(m_cellView, farthest,
-      [this, facet](Index neighbor, const double values[3])
-      {
-        const bool met = m_facetOfSite[neighbor] == facet;
-        m_facetOfSite[neighbor] = facet;
-        return !met && this->winsSomewhere(values);
-      });
+    const bool fits =
+      isListed ? this->addListed(site, facet, farthest) : this->addNearby(site, facet, diameter);
     if (!fits)
     {
       return false;

@@ -11,7 +11,8 @@
  * 3. Where it does not, either: the envelope of the owners and of the list is traced. A point at
  *    distance r from its site can only be won by a site within r of it, and so within r and the
  *    point's distance from the reference of the latter. Where the list does not reach that far, the
- *    neighbours of the part's own site join in, until nothing changes.
+ *    neighbours of the part's own site join in, until nothing changes: from its list, or where that
+ *    ends too early, too, as beside many sites close together, from the tree.
  *
  * Rounded, but never wrong by more than rounding: what cannot be vouched for is refused.
  */
@@ -95,6 +96,9 @@ private:
   bool integrateLarge(Index facet, const Owners& owners);
   Index nearestToCenter() const;
   bool checkCells(Index facet, bool& grown);
+  bool meets(Index site, Index facet);
+  bool addListed(Index site, Index facet, double farthest);
+  bool addNearby(Index site, Index facet, double distance);
   void findReach(const FacetConstants& facet, PartReach reach[]) const;
   bool winsSomewhere(const double values[3]) const;
   PieceIntegral integralOf(int slot, const FacetConstants& facet) const;
@@ -117,6 +121,7 @@ private:
 
   std::vector<Index> m_facetOfSite; ///< per site, the last large facet it was met on
   std::vector<Index> m_expanded;    ///< the sites whose neighbours are in
+  std::vector<Neighbor> m_near;
   Envelope m_envelope;
   Index m_ids[Envelope::mostSites];
 };

@@ -26,6 +26,10 @@ constexpr std::size_t mostOrdered = 64;
 constexpr Index nearNeighbors = 3;
 /** A list is worn when it holds the sites within less than so many spacings. */
 constexpr double leastReach = 1.6;
+/** Of those that hold hardly more when they are built, as beside many sites close together, none
+ * is.
+ */
+constexpr float leastSpare = 1.15F;
 /** Lists are built anew when this part of them is worn. */
 constexpr double mostWorn = 0.02;
 /** At most so many sites, and at most one of so many, move by more than the usual. */
@@ -267,7 +271,8 @@ void NeighborLists::buildList(
     m_distances[first + k] = below(found[k].distance); // as floats they were put in order
     near += k < nearNeighbors ? found[k].distance : 0.0;
   }
-  place.needed = static_cast<float>(leastReach / nearNeighbors * near);
+  const auto needed = static_cast<float>(leastReach / nearNeighbors * near);
+  place.needed = place.reach < leastSpare * needed ? 0.0F : needed;
 }
 
 Status NeighborLists::build(const Sites& sites, const RunControl& control)
