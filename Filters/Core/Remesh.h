@@ -80,6 +80,7 @@ struct RemeshResult
   Offset wantedVertices = 0;      ///< that there should be
   Offset neededFeaturePoints = 0; ///< that corners and bends of the features take at least
   double shareApart = 1.0;        ///< of the surface, farther than the spacing from features
+  bool curvesAreApart = false;    ///< as far as that was possible; else there was no room for it
   Seams seams;                    ///< edges of the mesh along features among it
   std::vector<SurfaceLocation> locations; ///< of the placed vertices
   Dual dual;                              ///< its triangles after placement

@@ -60,9 +60,11 @@ Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult&
   const double spacing =
     std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites));
   result.shareApart = shareApart(task.surface, result.featureSites.sites, spacing, control);
-  separateCurves(task.mesh, task.surface, *task.features,
-    task.mostPointsOnFeatures(options.numberOfSites, result.shareApart), spacing, control,
-    result.stations, result.featureSites);
+  const Offset most = task.mostPointsOnFeatures(options.numberOfSites, result.shareApart);
+  const Index added = separateCurves(task.mesh, task.surface, *task.features,
+    std::vector<char>(task.features->curves.size(), 1), most, spacing, control, result.stations,
+    result.featureSites);
+  result.curvesAreApart = added > 0 && result.featureSites.numberOfPoints() < most;
   result.sites = result.featureSites.sites;
   return control.cancelled() ? Status::cancelled() : Status::success();
 }

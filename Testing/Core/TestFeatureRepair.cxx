@@ -64,24 +64,47 @@ struct Framed
       this->stations, this->featureSites, sites);
   }
 
-  Index refine(const std::vector<Intrusion>& intrusions, std::vector<Index>& joining)
+  /** @param mostPoints for the curves to be kept apart; 0: they are not. */
+  Index refine(
+    const std::vector<Intrusion>& intrusions, std::vector<Index>& joining, Offset mostPoints = 0)
   {
     const Sites sites = this->featureSites.sites;
-    return refineCurves(this->mesh, this->surface, this->features, intrusions, sites, 0,
-      RunControl(), this->stations, this->featureSites, joining);
+    return refineCurves(this->mesh, this->surface, this->features, intrusions, sites, true,
+      mostPoints, RunControl(), this->stations, this->featureSites, joining);
+  }
+
+  double startOf(Index curve, int axis) const
+  {
+    return this->mesh.points[this->features.curves[curve].points.front()][axis];
   }
 };
+
+/** Strips along x, one above the other, and far from each other. */
+SurfaceMesh strips(int count, double width)
+{
+  std::vector<Point3> points;
+  std::vector<std::array<Offset, 3>> triangles;
+  for (int strip = 0; strip < count; ++strip)
+  {
+    const TriangleSoup soup = test::gridPatch(40, 2);
+    const auto first = static_cast<Offset>(points.size());
+    for (const Point3& point : soup.points)
+    {
+      points.push_back({ point.x(), strip + width * point.y(), 0.0 });
+    }
+    for (const auto& [a, b, c] : soup.triangles)
+    {
+      triangles.push_back({ first + a, first + b, first + c });
+    }
+  }
+  return test::meshOf(test::makeSoup(points, triangles));
+}
 
 /** A strip with many sites on one side, whose cells reach across to the other side, with none. */
 void testStrip()
 {
   constexpr double width = 0.05;
-  TriangleSoup soup = test::gridPatch(40, 2);
-  for (Point3& point : soup.points)
-  {
-    point.y() *= width;
-  }
-  Framed strip(test::meshOf(soup), 0.0);
+  Framed strip(strips(1, width), 0.0);
   CHECK_EQUAL(strip.features.curves.size(), std::size_t(4));
   const auto isAt = [&](const FeatureCurve& curve, double y)
   {
@@ -122,6 +145,40 @@ void testStrip()
   }
   CHECK(rounds > 2 && rounds < 10); // one after the other would take 19
   CHECK(strip.featureSites.numberOfPoints() <= 46);
+}
+
+/** Curves are kept apart where some get places, and others stay as they are. */
+void testOthersStay()
+{
+  Framed pair(strips(2, 0.05), 0.0);
+  pair.divide(
+    [&](const FeatureCurve& curve)
+    {
+      const double y = pair.mesh.points[curve.points[1]].y();
+      return y == 0.0 || y == 1.0 ? 20 : 1;
+    });
+  const auto isFirst = [&](Index curve) { return pair.startOf(curve, 1) < 0.5; };
+  const auto ofFirst = [&](const std::vector<Intrusion>& all)
+  {
+    std::vector<Intrusion> some;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+      [&](const Intrusion& intrusion) { return isFirst(intrusion.curve); });
+    return some;
+  };
+  const std::vector<Intrusion> before = pair.sew().encroachments;
+  const std::size_t ofOther = before.size() - ofFirst(before).size();
+  CHECK(ofOther >= 15);
+  const Stations stations = pair.stations;
+  std::vector<Index> joining;
+  CHECK(pair.refine({ ofFirst(before).front() }, joining, 1000) >= 15);
+  for (std::size_t curve = 0; curve < stations.size(); ++curve)
+  {
+    CHECK(
+      isFirst(static_cast<Index>(curve)) || pair.stations[curve].size() == stations[curve].size());
+  }
+  const std::vector<Intrusion> after = pair.sew().encroachments;
+  CHECK(ofFirst(after).empty());
+  CHECK_EQUAL(after.size(), ofOther);
 }
 
 /** A rough plate of narrow bars around rectangular windows. */
@@ -179,6 +236,7 @@ void testLattice()
 int TestFeatureRepair(int, char*[])
 {
   testStrip();
+  testOthersStay();
   testLattice();
   return test::result();
 }

@@ -116,13 +116,14 @@ Station placeFor(const Intrusion& intrusion, const SurfaceMesh& mesh,
 
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const Features& features, const std::vector<Intrusion>& intrusions, const Sites& sites,
-  Offset mostPoints, const RunControl& control, Stations& stations, FeatureSites& featureSites,
-  std::vector<Index>& joining)
+  bool areApart, Offset mostPoints, const RunControl& control, Stations& stations,
+  FeatureSites& featureSites, std::vector<Index>& joining)
 {
   joining.clear();
   std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
   std::set<std::pair<Index, Index>> divided;
   CurveLengths lengths(mesh, surface, features);
+  std::vector<char> watched(features.curves.size(), areApart ? 0 : 1);
   Index count = 0;
   for (const Intrusion& intrusion : inwardFirst(intrusions, stations, lengths))
   {
@@ -139,6 +140,7 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
       insertStation(along, intrusion.foot, 0.0, leastGap, places))
     {
       ++count;
+      watched[intrusion.curve] = 1;
       if (intrusion.site >= sites.fixed)
       {
         removed[intrusion.site] = 1;
@@ -154,7 +156,8 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   featureSites = makeFeatureSites(mesh, surface, features, stations);
   const double spacing = std::sqrt(surface.siteMeasure / sites.count());
   return count +
-    separateCurves(mesh, surface, features, mostPoints, spacing, control, stations, featureSites);
+    separateCurves(mesh, surface, features, std::move(watched), mostPoints, spacing, control,
+      stations, featureSites);
 }
 
 void replaceFixed(const FeatureSites& featureSites, Sites& sites)

@@ -16,9 +16,11 @@ namespace remesh
  * that the number of vertices stays; one on a feature is not. Each section is divided once at
  * most, where it can be by the cell nearest to its middle.
  *
- * Then the curves are kept apart again (see separateCurves); no free site goes for these places.
+ * Then the curves are kept apart again (see separateCurves), those with new places from each other
+ * and from the rest, or all where they are not yet; no free site goes for these places.
  *
  * @param intrusions as the seams have them.
+ * @param areApart the curves were before, as far as that is possible.
  * @param mostPoints vertices on features, to keep curves apart.
  * @param stations, featureSites are brought up to date; `sites` are to follow (replaceFixed).
  * @param joining the free sites that are to go.
@@ -26,8 +28,8 @@ namespace remesh
  */
 Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const Features& features, const std::vector<Intrusion>& intrusions, const Sites& sites,
-  Offset mostPoints, const RunControl& control, Stations& stations, FeatureSites& featureSites,
-  std::vector<Index>& joining);
+  bool areApart, Offset mostPoints, const RunControl& control, Stations& stations,
+  FeatureSites& featureSites, std::vector<Index>& joining);
 
 /** Puts these in the place of the fixed sites. */
 void replaceFixed(const FeatureSites& featureSites, Sites& sites);

@@ -20,6 +20,7 @@ constexpr double rounding = 1e-12;    // of squared distances
 struct Intruder
 {
   Index curve;
+  Index other;   ///< the curve that the site is on; noIndex for a corner
   Station foot;  ///< nearest to the site, of the places it is nearest to
   Station level; ///< as far as the site from a corner that both curves share, or else the foot
   double excess; ///< by how much the site is nearer, the most of all places; of squared distances
@@ -123,7 +124,8 @@ private:
 
   void note(const CollarEdge& collar, Index site, double t, double excess)
   {
-    Intruder intruder{ collar.curve, { collar.segment, t }, {}, excess };
+    const Index other = m_sites.points[m_sites.pointOfSite[site]].curve;
+    Intruder intruder{ collar.curve, other, { collar.segment, t }, {}, excess };
     const FeatureCurve& curve = m_features.curves[collar.curve];
     if (t >= 1.0 && collar.segment + 1 < static_cast<Index>(curve.edges.size()))
     {
@@ -190,8 +192,8 @@ std::vector<Intruder> worstOfSections(
 }
 
 Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset mostPoints, double spacing, const RunControl& control,
-  Stations& stations, FeatureSites& featureSites)
+  const Features& features, std::vector<char> curves, Offset mostPoints, double spacing,
+  const RunControl& control, Stations& stations, FeatureSites& featureSites)
 {
   const FeatureSiteMaker maker(mesh, surface, features);
   const Stations before = stations;
@@ -222,16 +224,23 @@ Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
       {
         break;
       }
+      const bool isBeside = intruder.other != noIndex && curves[intruder.other];
+      if (!curves[intruder.curve] && !isBeside)
+      {
+        continue;
+      }
       std::vector<double>& along = lengths[intruder.curve];
       if (along.empty())
       {
         along = measureCurve(mesh, surface, features, intruder.curve);
       }
       std::vector<Station>& places = stations[intruder.curve];
-      points += insertStation(along, intruder.level, least, leastGap, places) ||
-          insertStation(along, intruder.foot, least, leastGap, places)
-        ? 1
-        : 0;
+      if (insertStation(along, intruder.level, least, leastGap, places) ||
+        insertStation(along, intruder.foot, least, leastGap, places))
+      {
+        ++points;
+        curves[intruder.curve] = 1;
+      }
     }
     if (points == pointsSoFar)
     {

@@ -24,6 +24,8 @@ namespace remesh
  * fiftieth of `spacing`, in R^d. At a corner where the metrics of several sides contradict each
  * other, sites of one curve can stay too near to another.
  *
+ * @param curves of each curve, whether it is looked after: those that got places since the others
+ *        were kept apart, as far as that was possible, and all that get some on the way.
  * @param featureSites those of the stations; brought up to date, too.
  * @param control asked for cancellation; then some sites may still be too near.
  * @return the number of places added.
@@ -31,8 +33,8 @@ namespace remesh
  * edge of the curves.
  */
 Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset mostPoints, double spacing, const RunControl& control,
-  Stations& stations, FeatureSites& featureSites);
+  const Features& features, std::vector<char> curves, Offset mostPoints, double spacing,
+  const RunControl& control, Stations& stations, FeatureSites& featureSites);
 }
 
 #endif
