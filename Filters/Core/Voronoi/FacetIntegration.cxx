@@ -12,6 +12,8 @@ namespace remesh
 namespace
 {
 constexpr int mostRounds = 8;
+/** Among more, borders far from the reference would be rounded too much, and few would win. */
+constexpr std::size_t mostNearby = 256;
 }
 
 template <int D>
@@ -338,21 +340,38 @@ bool FacetIntegration<D>::addListed(Index site, Index facet, double farthest)
 template <int D>
 bool FacetIntegration<D>::addNearby(Index site, Index facet, double distance)
 {
-  m_lists.sitesNear(m_sites.site(site), distance, m_near);
+  const int d = D == Eigen::Dynamic ? m_surface.dimension : D;
+  const double* x = m_sites.site(site);
+  this->look(site, m_surface.facetCorners[facet], m_cellView);
+  m_lists.sitesNear(x, distance, m_near);
+  if (m_near.size() > mostNearby)
+  {
+    return false;
+  }
   for (const Neighbor& neighbor : m_near)
   {
     if (!this->meets(neighbor.site, facet))
     {
       continue;
     }
-    this->look(neighbor.site, m_surface.facetCorners[facet], m_cellView);
-    if (this->winsSomewhere(m_cellView.values))
+    // As from packed bisectors: far from both sites, their squared distances would cancel.
+    const double* other = m_sites.site(neighbor.site);
+    double values[3] = { m_cellView.values[0], m_cellView.values[1], m_cellView.values[2] };
+    for (int m = 0; m < d; ++m)
+    {
+      const double offset = other[m] - x[m];
+      for (int k = 0; k < 3; ++k)
+      {
+        values[k] += offset * (offset - 2.0 * m_cellView.points[k * d + m]);
+      }
+    }
+    if (this->winsSomewhere(values))
     {
       if (m_envelope.count == Envelope::mostSites)
       {
         return false;
       }
-      this->addSite(neighbor.site, m_cellView.values);
+      this->addSite(neighbor.site, values);
     }
   }
   return true;
