@@ -26,8 +26,8 @@ std::vector<Index> leftFlipped(const PlacementProblem& problem, const NearbySurf
   std::vector<Point3> positions = centroids;
   std::vector<Triple> triangles = problem.triangles;
   FlipRepair repair;
-  Status status = repairFlips(
-    problem, surface, centroids, centroids, steps, control, search, triangles, positions, repair);
+  Status status = repairFlips({ problem, surface, centroids, centroids, control }, steps, search,
+    triangles, positions, repair);
   if (!status.ok() || repair.flippedTriangles == 0)
   {
     return {};

@@ -5,26 +5,9 @@
 #include "TestPlacements.h"
 #include "TestSurfaces.h"
 
-#include <cmath>
 #include <tuple>
 
 using namespace remesh;
-
-namespace
-{
-/** A closed sheet, thin and wavy. */
-SurfaceMesh leaf(double thickness)
-{
-  TriangleSoup soup = test::icosphere(5);
-  for (Point3& p : soup.points)
-  {
-    const double x = p.x();
-    const double y = 0.6 * p.y();
-    p = Point3(x, y, thickness * p.z() + 0.15 * std::sin(6.0 * x) * std::cos(5.0 * y));
-  }
-  return test::meshOf(soup);
-}
-}
 
 int TestStrays(int, char*[])
 {
@@ -32,7 +15,7 @@ int TestStrays(int, char*[])
   for (const auto& [thickness, anisotropy, number] : { Case(0.02, 0.02, 1000), Case(0.03, 0.0, 500),
          Case(0.03, 0.02, 1000), Case(0.05, 0.04, 500), Case(0.08, 0.1, 500) })
   {
-    const SurfaceMesh mesh = leaf(thickness);
+    const SurfaceMesh mesh = test::meshOf(test::leaf(5, thickness));
     const EmbeddedSurface surface = test::gaussMapOf(mesh, anisotropy);
     RemeshOptions options;
     options.numberOfSites = number;

@@ -189,6 +189,19 @@ inline TriangleSoup icosphere(int levels)
   return makeSoup(std::move(points), std::move(triangles));
 }
 
+/** A closed sheet, thin and wavy, whose rim is sharp in places. Thickness against a radius of 1. */
+inline TriangleSoup leaf(int levels, double thickness)
+{
+  TriangleSoup soup = icosphere(levels);
+  for (Point3& p : soup.points)
+  {
+    const double x = p.x();
+    const double y = 0.6 * p.y();
+    p = Point3(x, y, thickness * p.z() + 0.15 * std::sin(6.0 * x) * std::cos(5.0 * y));
+  }
+  return soup;
+}
+
 /** The faces of unit voxels at (0, 0, 0) to (n - 1)^3, those inside; each with its own points. */
 template <class Inside>
 TriangleSoup voxelSurface(int n, const Inside& inside)

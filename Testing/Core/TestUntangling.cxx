@@ -115,8 +115,8 @@ void testTurnedBack()
     }
     FlipSearch search(fixture.near);
     FlipRepair repair;
-    CHECK(repairFlips(fixture.problem, fixture.near, sound, sound, FlipSteps::MoveAndTurn,
-      RunControl(), search, triangles, positions, repair)
+    CHECK(repairFlips({ fixture.problem, fixture.near, sound, sound, RunControl() },
+      FlipSteps::MoveAndTurn, search, triangles, positions, repair)
             .ok());
     std::vector<Index> left;
     CHECK(search.find(triangles, positions, RunControl(), left).ok()); // judges what has changed
@@ -168,8 +168,8 @@ void testUndone()
     CHECK(flipped > 0);
     FlipSearch search(fixture.near);
     FlipRepair repair;
-    CHECK(repairFlips(fixture.problem, fixture.near, sound, sound, FlipSteps::MoveAndTurn,
-      RunControl(), search, triangles, positions, repair)
+    CHECK(repairFlips({ fixture.problem, fixture.near, sound, sound, RunControl() },
+      FlipSteps::MoveAndTurn, search, triangles, positions, repair)
             .ok());
     if (repair.flippedTriangles == flipped)
     {
@@ -200,8 +200,8 @@ void testTooMany()
   const std::vector<Point3> before = positions;
   FlipSearch search(fixture.near);
   FlipRepair repair;
-  CHECK(repairFlips(fixture.problem, fixture.near, before, before, FlipSteps::MoveAndTurn,
-    RunControl(), search, triangles, positions, repair)
+  CHECK(repairFlips({ fixture.problem, fixture.near, before, before, RunControl() },
+    FlipSteps::MoveAndTurn, search, triangles, positions, repair)
           .ok());
   CHECK_EQUAL(repair.flippedEdges, 0);
   CHECK(triangles == fixture.result.dual.triangles);

@@ -69,21 +69,19 @@ bool mendEach(const RepairContext& context, const NearbySurface& surface, const 
 }
 }
 
-Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes, FlipSteps steps,
-  const RunControl& control, FlipSearch& search, std::vector<Triple>& triangles,
-  std::vector<Point3>& positions, FlipRepair& repair)
+Status repairFlips(const FlipTask& task, FlipSteps steps, FlipSearch& search,
+  std::vector<Triple>& triangles, std::vector<Point3>& positions, FlipRepair& repair)
 {
   repair = FlipRepair{};
   const std::vector<Triple> dual =
     steps == FlipSteps::MoveAndTurn ? triangles : std::vector<Triple>();
-  RepairedMesh mesh(problem, surface, shapes, triangles, positions);
+  RepairedMesh mesh(task.problem, task.surface, task.shapes, triangles, positions);
   FlipPasses passes(steps, static_cast<Offset>(triangles.size()));
   BestMesh best;
   std::vector<Index> flipped;
   for (;;)
   {
-    if (Status status = search.find(triangles, positions, control, flipped); !status.ok())
+    if (Status status = search.find(triangles, positions, task.control, flipped); !status.ok())
     {
       return status;
     }
@@ -97,9 +95,9 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
     {
       break;
     }
-    const RepairContext context{ problem, surfacePlaces, control, passes.mayTurn(),
+    const RepairContext context{ task.problem, task.surfacePlaces, task.control, passes.mayTurn(),
       passes.leastGain() };
-    if (!mendEach(context, surface, passes, flipped, mesh, repair))
+    if (!mendEach(context, task.surface, passes, flipped, mesh, repair))
     {
       return Status::cancelled();
     }
@@ -107,7 +105,7 @@ Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface
   restore(best, triangles, positions, repair);
   if (repair.flippedEdges > 0)
   {
-    RepairedMesh repaired(problem, surface, shapes, triangles, positions);
+    RepairedMesh repaired(task.problem, task.surface, task.shapes, triangles, positions);
     turnBack(dual, repaired, repair);
   }
   return Status::success();

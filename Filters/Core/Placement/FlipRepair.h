@@ -39,6 +39,16 @@ enum class FlipSteps
   MoveAndTurn ///< vertices, and edges of triangles
 };
 
+/** What flipped triangles are told and mended by. All must outlive it. */
+struct FlipTask
+{
+  const PlacementProblem& problem;
+  const NearbySurface& surface;             ///< triangles are not to face against it
+  const std::vector<Point3>& surfacePlaces; ///< K, the surface's points closest to the centroids
+  const std::vector<Point3>& shapes; ///< K, positions whose triangles' shapes are kept, roughly
+  const RunControl& control;
+};
+
 /**
  * 1. Finds the flipped triangles.
  * 2. For each, tries other places for its vertices (not fixed ones): the cell's centroid, its point
@@ -60,16 +70,12 @@ enum class FlipSteps
  * is flipped, or nothing helps (FlipPasses.h); where more than `fewFlipped` are left, nothing has
  * in a few passes.
  *
- * @param surfacePlaces K, the points of the surface closest to the centroids.
- * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
  * @param search of the same mesh at other times, or a new one.
- * @param triangles T, of `problem.triangles`; changed by turned edges.
+ * @param triangles T, of `task.problem.triangles`; changed by turned edges.
  * @param positions K; changed.
  */
-Status repairFlips(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& surfacePlaces, const std::vector<Point3>& shapes, FlipSteps steps,
-  const RunControl& control, FlipSearch& search, std::vector<Triple>& triangles,
-  std::vector<Point3>& positions, FlipRepair& repair);
+Status repairFlips(const FlipTask& task, FlipSteps steps, FlipSearch& search,
+  std::vector<Triple>& triangles, std::vector<Point3>& positions, FlipRepair& repair);
 }
 
 #endif

@@ -113,25 +113,23 @@ Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point
  * Where triangles are left flipped, with the vertices around them at the centroids again, and the
  * dual's edges: what mends them there differs from what does at the fitted places.
  *
- * @param problem with the triangles before edges were turned.
+ * @param task with the triangles before edges were turned, and the centroids as shapes.
  * @param fitted K, the places then.
  * @param flipped then.
  * @param triangles after; changed only for better ones.
  */
-Status mendFromCentroids(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& onSurface, const std::vector<Point3>& start,
-  const std::vector<Point3>& fitted, const std::vector<Index>& flipped, const RunControl& control,
-  std::vector<Triple>& triangles, Placement& placement)
+Status mendFromCentroids(const FlipTask& task, const std::vector<Point3>& fitted,
+  const std::vector<Index>& flipped, std::vector<Triple>& triangles, Placement& placement)
 {
   for (const int rings : { 1, 2, 4 })
   {
     std::vector<Point3> positions = fitted;
-    retreatAround(problem, start, flipped, rings, positions);
-    std::vector<Triple> turned = problem.triangles;
-    FlipSearch search(surface);
+    retreatAround(task.problem, task.shapes, flipped, rings, positions);
+    std::vector<Triple> turned = task.problem.triangles;
+    FlipSearch search(task.surface);
     FlipRepair repair;
-    if (Status status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn,
-          control, search, turned, positions, repair);
+    if (Status status =
+          repairFlips(task, FlipSteps::MoveAndTurn, search, turned, positions, repair);
         !status.ok())
     {
       return status;
@@ -168,8 +166,8 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
     return status;
   }
   const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
-  status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, search,
-    triangles, placement.positions, repair);
+  const FlipTask task{ problem, surface, onSurface, start, control };
+  status = repairFlips(task, FlipSteps::Move, search, triangles, placement.positions, repair);
   const Offset most = mostFlipped(static_cast<Offset>(triangles.size()));
   if (!status.ok() || repair.flippedTriangles == 0 || repair.flippedTriangles > most)
   {
@@ -178,8 +176,7 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   std::vector<Point3> fromCentroids = start;
   FlipSearch otherSearch(surface);
   FlipRepair other;
-  status = repairFlips(problem, surface, onSurface, start, FlipSteps::Move, control, otherSearch,
-    triangles, fromCentroids, other);
+  status = repairFlips(task, FlipSteps::Move, otherSearch, triangles, fromCentroids, other);
   Offset moved = repair.movedVertices;
   if (status.ok() && other.flippedTriangles < repair.flippedTriangles)
   {
@@ -197,15 +194,15 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<Triple> dual = triangles; // `problem` may hold the very list that changes
   if (status.ok())
   {
-    status = repairFlips(problem, surface, onSurface, start, FlipSteps::MoveAndTurn, control,
-      search, triangles, placement.positions, repair);
+    status =
+      repairFlips(task, FlipSteps::MoveAndTurn, search, triangles, placement.positions, repair);
   }
   if (status.ok() && repair.flippedTriangles > 0 && repair.flippedTriangles <= fewFlipped)
   {
     const PlacementProblem unturned{ problem.mesh, problem.surface, problem.sites, problem.diagram,
       problem.components, dual, problem.fixed, problem.featureEdges };
     status = mendFromCentroids(
-      unturned, surface, onSurface, start, fitted, flipped, control, triangles, placement);
+      { unturned, surface, onSurface, start, control }, fitted, flipped, triangles, placement);
   }
   repair.movedVertices += moved;
   return status;
@@ -245,8 +242,9 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   std::vector<Triple> turned = triangles;
   std::vector<Point3> positions = placement.positions;
   FlipRepair repair;
-  status = repairFlips(problem, surface, placesOnSurface(problem, locations, start), start,
-    FlipSteps::MoveAndTurn, control, search, turned, positions, repair);
+  const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
+  status = repairFlips({ problem, surface, onSurface, start, control }, FlipSteps::MoveAndTurn,
+    search, turned, positions, repair);
   if (!status.ok())
   {
     return status;
