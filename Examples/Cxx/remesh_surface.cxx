@@ -373,12 +373,13 @@ int GiveUp(const std::string& sentence, int status)
 
 /**
  * Keeps memory that is freed for what comes next: large arrays come and go, and pages that are
- * got anew from the system and zeroed each time take a twentieth of a run.
+ * got anew from the system and zeroed each time take up to a twentieth of a run. The largest go
+ * back at once.
  */
 void KeepFreedMemory()
 {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_MMAP_THRESHOLD, 1 << 25);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
 }
