@@ -325,8 +325,7 @@ bool FacetIntegration<D>::meets(Index site, Index facet)
   return !met;
 }
 
-/** Adds the sites in the list of a part's own site that win something. False if there are too many.
- */
+/** Adds those in the list of a part's own site that win something; false: they are too many. */
 template <int D>
 bool FacetIntegration<D>::addListed(Index site, Index facet, double farthest)
 {

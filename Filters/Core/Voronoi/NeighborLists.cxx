@@ -26,9 +26,7 @@ constexpr std::size_t mostOrdered = 64;
 constexpr Index nearNeighbors = 3;
 /** A list is worn when it holds the sites within less than so many spacings. */
 constexpr double leastReach = 1.6;
-/** Of those that hold hardly more when they are built, as beside many sites close together, none
- * is.
- */
+/** Hardly longer than that when they are built, as beside a crowd of sites, lists do not count. */
 constexpr float leastSpare = 1.15F;
 /** Lists are built anew when this part of them is worn. */
 constexpr double mostWorn = 0.02;
