@@ -109,7 +109,7 @@ private:
    */
   bool cutAlong(Index slot, const Part& part)
   {
-    const std::array<Point3, 3>& t = m_to.cornersOf(slot);
+    const std::array<Point3, 3> t = m_to.cornersOf(slot);
     const Point3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
     const auto& [a, b, c] = part.corners;
     const Point3 own = (b - a).cross(c - a);

@@ -44,7 +44,7 @@ bool SideNormals::isBehind(
   const Index triangle = tree.triangleOf(place.slot);
   const double* b = place.at.b;
   const int zeros = (b[0] == 0.0) + (b[1] == 0.0) + (b[2] == 0.0);
-  const auto& [p, q, r] = tree.cornersOf(place.slot);
+  const auto [p, q, r] = tree.cornersOf(place.slot);
   Point3 normal = facetNormal(p, q, r);
   if (zeros == 2)
   {

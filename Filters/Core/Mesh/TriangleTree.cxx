@@ -17,6 +17,7 @@ static_assert(1 << laneBits == lanes);
 }
 
 TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
+  : m_surface(surface)
 {
   std::vector<Index> kept;
   std::vector<Point3> centroids;
@@ -43,16 +44,10 @@ TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
     return;
   }
   const std::vector<Index> order = orderAlongHilbertCurve(centroids, control.silent());
-  centroids = std::vector<Point3>(); // makes room for the corners
+  centroids = std::vector<Point3>(); // makes room for the boxes
   m_ids.resize(kept.size());
-  m_corners.resize(kept.size());
-  const auto size = static_cast<Offset>(kept.size());
-  if (!forEachItem(size, control.silent(),
-        [&](Offset slot)
-        {
-          m_ids[slot] = kept[order[slot]];
-          m_corners[slot] = surface.corners(m_ids[slot]);
-        }))
+  if (!forEachItem(static_cast<Offset>(kept.size()), control.silent(),
+        [&](Offset slot) { m_ids[slot] = kept[order[slot]]; }))
   {
     return;
   }
@@ -97,7 +92,7 @@ bool TriangleTree::findBoxes(int level, const RunControl& control)
         const Offset first = below ? end : (node * lanes + child) * leafSize;
         for (Offset slot = first; slot < std::min(first + leafSize, end); ++slot)
         {
-          for (const Point3& corner : m_corners[slot])
+          for (const Point3& corner : this->cornersOf(slot))
           {
             lower = lower.cwiseMin(corner);
             upper = upper.cwiseMax(corner);
@@ -200,7 +195,7 @@ void TriangleTree::findWithin(const Point3& point, double distance, std::vector<
 
 TriangleTree::Place TriangleTree::closestOn(Index slot, const Point3& point) const
 {
-  const auto& [a, b, c] = m_corners[slot];
+  const auto [a, b, c] = this->cornersOf(slot);
   return { slot, closestOnTriangle(point, a, b, c) };
 }
 

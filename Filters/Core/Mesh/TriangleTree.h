@@ -48,7 +48,8 @@ public:
    * finite, and within `largestCoordinate` (Mesh/Intake.h).
    *
    * @param control asked for cancellation; the tree of a cancelled run is of no use.
-   * Cost: O(T), in parallel. About 100 bytes per triangle. The tree holds all it needs.
+   * Cost: O(T), in parallel. About 32 bytes per triangle. The points and triangles are not copied:
+   * they must outlive the tree, and those that move or change are no longer found by it.
    */
   explicit TriangleTree(const Triangles& surface, const RunControl& control = RunControl());
 
@@ -108,7 +109,7 @@ public:
     const Index last = std::min(this->size(), (group + 1) * groupSize);
     for (Index slot = group * groupSize; slot < last; ++slot)
     {
-      const auto& [a, b, c] = m_corners[slot];
+      const auto [a, b, c] = this->cornersOf(slot);
       const Point3 lower = a.cwiseMin(b).cwiseMin(c);
       const Point3 upper = a.cwiseMax(b).cwiseMax(c);
       for (const Index near : groups)
@@ -131,10 +132,10 @@ public:
   Place closestOn(Index slot, const Point3& point) const;
 
   Index triangleOf(Index slot) const { return m_ids[slot]; } ///< the caller's id
-  const std::array<Point3, 3>& cornersOf(Index slot) const { return m_corners[slot]; }
+  std::array<Point3, 3> cornersOf(Index slot) const { return m_surface.corners(m_ids[slot]); }
   Point3 positionOf(const Place& place) const
   {
-    const std::array<Point3, 3>& p = m_corners[place.slot];
+    const std::array<Point3, 3> p = this->cornersOf(place.slot);
     return place.at.b[0] * p[0] + place.at.b[1] * p[1] + place.at.b[2] * p[2];
   }
 
@@ -162,8 +163,8 @@ private:
   template <class Reaches, class Visit>
   void visitLeaves(const Point3& point, const Reaches& reaches, const Visit& visit) const;
 
-  std::vector<Index> m_ids;                     ///< S, the caller's triangles
-  std::vector<std::array<Point3, 3>> m_corners; ///< S
+  Triangles m_surface;
+  std::vector<Index> m_ids; ///< S, the caller's triangles
   /** Of each level, the boxes of its nodes' children: of leaves on the first, one node on the last.
    */
   std::vector<std::vector<BoxGroup>> m_levels;

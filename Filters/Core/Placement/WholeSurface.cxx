@@ -44,7 +44,7 @@ double WholeSurface::leastCosine(
   double least = 1.0;
   for (const TriangleTree::Place& near : closest)
   {
-    const auto& [a, b, c] = m_tree.cornersOf(near.slot);
+    const auto [a, b, c] = m_tree.cornersOf(near.slot);
     least = std::min(least, vector.dot(facetNormal(a, b, c)));
   }
   return least;

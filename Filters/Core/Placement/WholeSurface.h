@@ -13,7 +13,8 @@
 
 namespace remesh
 {
-/** Cost: O(F) to make, in parallel, and 110 bytes a facet while it lives. */
+/** Cost: O(F) to make, in parallel, and about 40 bytes a facet while it lives; the mesh must
+ * outlive it. */
 class WholeSurface
 {
 public:
