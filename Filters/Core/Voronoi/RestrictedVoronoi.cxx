@@ -2,9 +2,7 @@
 
 #include "Embedding/Distance.h"
 #include "Support/Parallel.h"
-#include "Voronoi/DiagramBlocks.h"
-#include "Voronoi/FacetDecomposition.h"
-#include "Voronoi/FacetIntegration.h"
+#include "Voronoi/BlockCutter.h"
 
 #include <algorithm>
 #include <optional>
@@ -35,86 +33,6 @@ Blocks cutFacets(const EmbeddedSurface& surface)
   constexpr Offset most = 512;
   const Offset wanted = std::clamp<Offset>(most * manyDimensions / surface.dimension, 64, most);
   return Blocks::cut(surface.numberOfFacets(), wanted, most / wanted * 4096);
-}
-
-/** One thread's tools for a block. */
-template <int D>
-struct BlockScratch
-{
-  FacetIntegration<D> integration;
-  FacetDecomposition<D> decomposition;
-  BlockAccumulator<D> accumulator;
-};
-
-/**
- * Cuts the facets [begin, end) and hands each piece to the sums and, if wanted, the pieces.
- *
- * @param kept pieces that need not be cut, if pieces are wanted.
- */
-template <int D>
-void cutBlock(Offset begin, Offset end, const EmbeddedSurface& surface,
-  const std::vector<Index>& owners, const std::vector<double>& squared, const KeptPieces* kept,
-  BlockScratch<D>& scratch, DiagramBlock* pieces)
-{
-  const bool manyNumbers = D == Eigen::Dynamic && surface.dimension >= manyDimensions;
-  FacetDecomposition<D>& decomposition = scratch.decomposition;
-  decomposition.beginBlock();
-  for (Offset f = begin; f < end; ++f)
-  {
-    const auto facet = static_cast<Index>(f);
-    if (kept && kept->keeps(facet))
-    {
-      kept->forEachPiece(facet,
-        [&](Offset piece)
-        {
-          pieces->add(kept->diagram(), piece, kept->later());
-          scratch.accumulator.add(facet, pieces->sites.back(), pieces->integrals.back());
-        });
-      continue;
-    }
-    const FacetConstants& constants = surface.constants[facet];
-    const Triple& corners = surface.facetCorners[facet];
-    const Index owner = owners[corners[0]];
-    const bool whole = owner == owners[corners[1]] && owner == owners[corners[2]];
-    if (whole && !pieces)
-    {
-      if (manyNumbers)
-      {
-        const double h[3] = { squared[corners[0]], squared[corners[1]], squared[corners[2]] };
-        scratch.accumulator.add(facet, owner, integrateWholeFacet(constants, h));
-      }
-      else
-      {
-        scratch.accumulator.addWholeFacet(facet, owner);
-      }
-      continue;
-    }
-    if (!pieces && scratch.integration.integrate(facet))
-    {
-      scratch.integration.forEachPart(constants,
-        [&](Index site, const PieceIntegral& part) { scratch.accumulator.add(facet, site, part); });
-      continue;
-    }
-    decomposition.gather(facet);
-    decomposition.tile();
-    if (pieces)
-    {
-      decomposition.fixFirstVertices();
-    }
-    const FacetTiling& tiling = decomposition.tiling();
-    for (const FacetPiece& piece : decomposition)
-    {
-      const FacetSite& site = tiling.site(piece.slot);
-      const PieceIntegral integral = whole
-        ? integrateWholeFacet(constants, site.h)
-        : integratePiece(tiling, constants, piece.polygon, piece.slot);
-      scratch.accumulator.add(facet, site.id, integral);
-      if (pieces)
-      {
-        pieces->add(facet, site.id, integral, piece.polygon, tiling);
-      }
-    }
-  }
 }
 }
 
@@ -159,25 +77,25 @@ Status RestrictedVoronoi::cut(const Sites& sites, const KeptPieces* kept, const 
   m_blockSums.resize(static_cast<std::size_t>(window));
   std::vector<DiagramBlock> pieces(diagram ? static_cast<std::size_t>(window) : std::size_t{ 0 });
   beginSums(sites.count(), m_surface.dimension, sums);
-  ScratchPool<BlockScratch<D>> pool(
-    [&]()
-    {
-      return std::unique_ptr<BlockScratch<D>>(new BlockScratch<D>{
-        FacetIntegration<D>(m_surface, sites, m_lists, this->owners(), m_centers, m_instructions),
-        FacetDecomposition<D>(m_surface, sites, m_lists, this->owners(), m_decisions),
-        BlockAccumulator<D>(m_surface, sites) });
-    });
+  const CutTask task{ m_surface, sites, m_lists, m_ownership, m_centers, m_instructions,
+    m_decisions };
+  ScratchPool<BlockCutter<D>> pool([&]() { return std::make_unique<BlockCutter<D>>(task); });
   const auto cutWindow = [&](Offset first, Offset last, const RunControl& part)
   {
     return forEachBlock(last - first, part,
       [&](Offset k)
       {
         const Offset block = first + k;
-        const auto scratch = pool.borrow();
-        scratch->accumulator.begin(m_blockSums[k]);
-        cutBlock<D>(blocks.begin(block), blocks.end(block), m_surface, this->owners(),
-          m_ownership.squared(), kept, *scratch, diagram ? &pieces[k] : nullptr);
-        scratch->accumulator.finish();
+        const auto cutter = pool.borrow();
+        if (diagram)
+        {
+          cutter->decompose(
+            blocks.begin(block), blocks.end(block), kept, m_blockSums[k], pieces[k]);
+        }
+        else
+        {
+          cutter->integrate(blocks.begin(block), blocks.end(block), m_blockSums[k]);
+        }
       });
   };
   const auto windows = static_cast<int>((blocks.count() + window - 1) / window);
