@@ -167,6 +167,36 @@ void testSlivers()
   }
 }
 
+/**
+ * A crack between two flaps, filled with a facet that stands out of them: nothing of it is left
+ * where it is low against the spacing but the crease between the flaps, if there is one.
+ */
+void testNeedles()
+{
+  const auto creasesOf = [](double depth, const Point3& tip, double spacing)
+  {
+    const std::vector<Point3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, -depth },
+      { 0.5, -1, -depth }, tip };
+    const std::vector<std::array<Offset, 3>> triangles{ { 0, 1, 4 }, { 0, 4, 2 }, { 4, 1, 2 },
+      { 1, 0, 3 } };
+    SurfaceMesh mesh = test::meshOf(test::makeSoup(points, triangles));
+    FeatureOptions options;
+    options.spacing = spacing;
+    const Features features = findFeatures(mesh, options);
+    return std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease);
+  };
+  constexpr double low = 0.001;
+  constexpr double high = 0.01;
+  for (const double spacing : { 0.0, 0.1 })
+  {
+    const bool sees = spacing == 0.0;
+    CHECK_EQUAL(creasesOf(0.0, { 0.4, -0.5 * low, 0.87 * low }, spacing), sees ? 3 : 0);
+    CHECK_EQUAL(creasesOf(0.0, { 0.4, -0.5 * high, 0.87 * high }, spacing), 3);
+    CHECK_EQUAL(creasesOf(1.0, { 0.4, 0.0, low }, spacing), sees ? 3 : 2);
+    CHECK_EQUAL(creasesOf(1.0, { 0.4, 0.0, high }, spacing), 3);
+  }
+}
+
 /** A tip that touches the middle of a crease, or of a border, makes that point a corner. */
 void testTouchingTip()
 {
@@ -287,6 +317,7 @@ int TestFeatureFilter(int, char*[])
   testCreaseAtBorder();
   testBox();
   testSlivers();
+  testNeedles();
   testTouchingTip();
   testSteps();
   testBordersOfSteps();

@@ -11,11 +11,18 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostSteps = 8; // over thin facets, to one with a normal
+constexpr int mostSteps = 8;          // over thin facets, to one with a normal
+constexpr double needleHeight = 0.02; // of the spacing, at most
+
+double cosineOf(double degrees)
+{
+  return std::cos(degrees * std::acos(-1.0) / 180.0);
+}
 
 struct FacetShape
 {
   Point3 normal;
+  double height;
   bool thin; ///< too thin for its normal to mean anything
   std::array<double, 3> lengths;
 
@@ -39,14 +46,15 @@ FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double least)
   {
     p[k] = &mesh.points[points[k]];
   }
-  FacetShape shape{ facetNormal(*p[0], *p[1], *p[2]), false, {} };
+  FacetShape shape{ facetNormal(*p[0], *p[1], *p[2]), 0.0, true, {} };
   double longest = 0.0;
   for (int k = 0; k < 3; ++k)
   {
     shape.lengths[k] = (*p[(k + 1) % 3] - *p[k]).norm();
     longest = std::max(longest, shape.lengths[k]);
   }
-  shape.thin = 2.0 * facetArea(*p[0], *p[1], *p[2]) < least * longest;
+  shape.height = longest > 0.0 ? 2.0 * facetArea(*p[0], *p[1], *p[2]) / longest : 0.0;
+  shape.thin = shape.height < least;
   return shape;
 }
 
@@ -69,12 +77,57 @@ Index beyond(const EdgeTable& edges, Index edge, Index facet)
   return around[0] == facet ? around[1] : around[0];
 }
 
-std::vector<Point3> reliableNormals(
-  const SurfaceMesh& mesh, const EdgeTable& edges, const RunControl& control)
+/** Whether a facet's normal makes a crease of each of its long sides. */
+bool isNeedle(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const std::vector<FacetShape>& shapes, double leastCosine, Index facet)
+{
+  const int longest = shapes[facet].longestBut(-1);
+  for (const int side : { longest, shapes[facet].longestBut(longest) })
+  {
+    const Index edge = edges.facetEdges[facet][side];
+    const Index other = beyond(edges, edge, facet);
+    if (other == noIndex)
+    {
+      return false;
+    }
+    const double sign = opposed(mesh, edges, edge, facet, other) ? -1.0 : 1.0;
+    if (sign * shapes[facet].normal.dot(shapes[other].normal) >= leastCosine)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, const RunControl& control)
 {
   const double least = leastHeight(mesh);
-  const Index count = mesh.numberOfFacets();
-  std::vector<FacetShape> shapes(static_cast<std::size_t>(count));
+  const double highest = needleHeight * options.spacing;
+  const double leastCosine = cosineOf(options.angleDegrees);
+  std::vector<FacetShape> shapes(mesh.facetPoints.size());
+  std::vector<char> needles(shapes.size(), 0);
+  const auto count = static_cast<Offset>(shapes.size());
+  const auto findShape = [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), least); };
+  const auto findNeedle = [&](Offset f)
+  {
+    needles[f] = shapes[f].height < highest &&
+      isNeedle(mesh, edges, shapes, leastCosine, static_cast<Index>(f));
+  };
+  static_cast<void>(
+    forEachItem(count, control, findShape) && forEachItem(count, control, findNeedle));
+  for (std::size_t f = 0; f < shapes.size(); ++f)
+  {
+    shapes[f].thin = shapes[f].thin || needles[f] != 0;
+  }
+  return shapes;
+}
+
+/** Those of facets that have one; others take that of a facet beyond their long sides. */
+std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const FeatureOptions& options, const RunControl& control)
+{
+  const std::vector<FacetShape> shapes = findShapes(mesh, edges, options, control);
   std::vector<Point3> normals(shapes.size());
   const auto findNormal = [&](Offset f)
   {
@@ -95,9 +148,7 @@ std::vector<Point3> reliableNormals(
     }
     normals[f] = shapes[at].thin ? shapes[f].normal : Point3(sign * shapes[at].normal);
   };
-  static_cast<void>(forEachItem(count, control,
-                      [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), least); }) &&
-    forEachItem(count, control, findNormal));
+  static_cast<void>(forEachItem(static_cast<Offset>(shapes.size()), control, findNormal));
   return normals;
 }
 }
@@ -105,10 +156,9 @@ std::vector<Point3> reliableNormals(
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control)
 {
-  const std::vector<Point3> normals = reliableNormals(mesh, edges, control);
-  const double pi = std::acos(-1.0);
-  const double flat = std::cos(weakShare * options.angleDegrees * pi / 180.0);
-  const double leastCosine = std::cos(options.angleDegrees * pi / 180.0);
+  const std::vector<Point3> normals = reliableNormals(mesh, edges, options, control);
+  const double flat = cosineOf(weakShare * options.angleDegrees);
+  const double leastCosine = cosineOf(options.angleDegrees);
   FeatureEdges features;
   features.kinds.resize(static_cast<std::size_t>(edges.numberOfEdges()));
   features.angles.resize(features.kinds.size(), 0.0F);

@@ -29,10 +29,11 @@ struct FeatureEdges
 };
 
 /**
- * The kind of each edge. Facets thinner than what single precision resolves (1e-6 of the
- * bounding-box diagonal) have no normal of their own: they take that of the facet beyond their
- * longest edge, and on from there if that has none either. O(F), in parallel. Of no use when
- * cancelled.
+ * The kind of each edge. Some facets have no normal of their own: those thinner than what single
+ * precision resolves (1e-6 of the bounding-box diagonal), and those thinner than a fiftieth of the
+ * spacing that would be creases along both long sides, which points so far apart cannot follow.
+ * They take the normal of the facet beyond their longest edge, and on from there if that has none
+ * either. O(F), in parallel. Of no use when cancelled.
  */
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control);
