@@ -75,7 +75,6 @@ struct RemeshResult
   PlainSums plainComponentSums; ///< of the components, likewise
   Diagram diagram;
   Components components;
-  Stations stations;              ///< on the features' curves; none without features
   FeatureSites featureSites;      ///< the first sites; none without features
   Offset wantedVertices = 0;      ///< that there should be
   Offset neededFeaturePoints = 0; ///< that corners and bends of the features take at least

@@ -31,8 +31,8 @@ Status dualize(const Task& task, const EdgeTable& edges, const std::vector<Index
     owners, control.step(0, 3), result.components, task.features ? &result.featureSites : nullptr);
   if (status.ok() && task.features)
   {
-    result.seams = sewAlongFeatures(result.diagram, result.components, task.mesh, task.surface,
-      *task.features, result.stations, result.featureSites, result.sites);
+    result.seams = sewAlongFeatures(
+      result.diagram, result.components, task.featured(), result.featureSites, result.sites);
   }
   if (status.ok())
   {

@@ -72,9 +72,8 @@ Index repairCurves(const Task& task, const std::vector<Intrusion>& intrusions,
   const Offset vertices = std::max(task.options.numberOfSites, result.numberOfVertexSites());
   const Offset most = task.mostPointsOnFeatures(vertices, result.shareApart);
   Refinement refinement;
-  const Index touched = refineCurves(task.mesh, task.surface, *task.features, intrusions,
-    result.sites, result.curvesAreApart, most, control, result.stations, result.featureSites,
-    refinement.removed);
+  const Index touched = refineCurves(task.featured(), intrusions, result.sites,
+    result.curvesAreApart, most, control, result.featureSites, refinement.removed);
   if (touched > 0)
   {
     const Offset joining = static_cast<Offset>(refinement.removed.size());

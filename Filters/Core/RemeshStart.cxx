@@ -50,20 +50,21 @@ double shareApart(
 Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult& result)
 {
   const RemeshOptions& options = task.options;
-  result.stations = sampleCurves(task.mesh, task.surface, *task.features, options.numberOfSites,
-    options.mostCurveError, control, result.neededFeaturePoints);
+  const FeaturedSurface featured = task.featured();
+  const Stations stations = sampleCurves(
+    featured, options.numberOfSites, options.mostCurveError, control, result.neededFeaturePoints);
   if (control.cancelled())
   {
     return Status::cancelled();
   }
-  result.featureSites = makeFeatureSites(task.mesh, task.surface, *task.features, result.stations);
+  result.featureSites = makeFeatureSites(featured, stations);
   const double spacing =
     std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites));
   result.shareApart = shareApart(task.surface, result.featureSites.sites, spacing, control);
   const Offset most = task.mostPointsOnFeatures(options.numberOfSites, result.shareApart);
-  const Index added = separateCurves(task.mesh, task.surface, *task.features,
-    std::vector<char>(task.features->curves.size(), 1), most, spacing, control, result.stations,
-    result.featureSites);
+  const Index added =
+    separateCurves(featured, std::vector<char>(featured.features.curves.size(), 1), most, spacing,
+      control, result.featureSites);
   result.curvesAreApart = added > 0 && result.featureSites.numberOfPoints() < most;
   result.sites = result.featureSites.sites;
   return control.cancelled() ? Status::cancelled() : Status::success();
@@ -72,9 +73,8 @@ Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult&
 /** How many free sites each patch gets. */
 std::vector<Offset> shareOut(const Task& task, const RemeshResult& result, Offset freeSites)
 {
-  return task.features
-    ? shareOutSites(task.mesh, task.surface, *task.features, result.featureSites, freeSites)
-    : std::vector<Offset>{ freeSites };
+  return task.features ? shareOutSites(task.featured(), result.featureSites, freeSites)
+                       : std::vector<Offset>{ freeSites };
 }
 
 /** Draws so many in each patch. */

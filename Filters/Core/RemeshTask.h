@@ -36,6 +36,9 @@ struct Task
   const Features* features; ///< nullptr: none
   const RemeshOptions& options;
 
+  /** Where there are features. */
+  FeaturedSurface featured() const { return { this->mesh, this->surface, *this->features }; }
+
   /**
    * Of so many vertices, those that features may take so that their curves are kept apart: the rest
    * of the surface gets half of what it would if all were spread evenly, if not less than a tenth.

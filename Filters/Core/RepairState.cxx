@@ -25,14 +25,12 @@ SharedSites shareSites(const RemeshResult& result, Repair& repair)
 
 void keepState(const RemeshResult& result, Repair& repair)
 {
-  repair.best = { shareSites(result, repair), result.stations, result.featureSites, repair.settled,
-    repair.counts };
+  repair.best = { shareSites(result, repair), result.featureSites, repair.settled, repair.counts };
 }
 
 void restoreState(Repair& repair, RemeshResult& result)
 {
   result.sites = *repair.best.sites;
-  result.stations = repair.best.stations;
   result.featureSites = repair.best.featureSites;
   repair.settled = repair.best.settled;
   repair.counts = repair.best.counts;

@@ -30,7 +30,6 @@ using SharedSites = std::shared_ptr<const Sites>;
 struct SiteState
 {
   SharedSites sites;
-  Stations stations;
   FeatureSites featureSites;
   SharedSites settled;
   RepairCounts counts;

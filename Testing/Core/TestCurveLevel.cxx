@@ -24,13 +24,14 @@ struct DividedCube
     for (std::size_t c = 0; c < this->features.curves.size(); ++c)
     {
       const auto curve = static_cast<Index>(c);
-      const std::vector<double> lengths =
-        measureCurve(this->mesh, this->surface, this->features, curve);
+      const std::vector<double> lengths = measureCurve(this->view(), curve);
       stations.push_back({ stationAt(lengths, 0.0), stationAt(lengths, part * lengths.back()),
         stationAt(lengths, lengths.back()) });
     }
-    this->sites = makeFeatureSites(this->mesh, this->surface, this->features, stations);
+    this->sites = makeFeatureSites(this->view(), stations);
   }
+
+  FeaturedSurface view() const { return { this->mesh, this->surface, this->features }; }
 
   Eigen::VectorXd coordinates(Index site) const
   {
@@ -58,8 +59,7 @@ void testLevels()
     for (Index site = 0; site < cube.sites.sites.count(); ++site)
     {
       const FeaturePoint& point = cube.sites.points[cube.sites.pointOfSite[site]];
-      const Station level =
-        levelWith(cube.mesh, cube.features, cube.sites, site, curve, foot, place);
+      const Station level = levelWith(cube.view(), cube.sites, site, curve, foot, place);
       const double fromFront = (point.place - from).norm();
       const double fromBack = (point.place - to).norm();
       const FeatureCurve* other =
@@ -99,8 +99,8 @@ void testBothEnds()
     const Eigen::VectorXd place = 0.5 *
       (cube.coordinates(cube.sites.firstCopy[ends.front()]) +
         cube.coordinates(cube.sites.firstCopy[ends.back()]));
-    const Station level =
-      levelWith(cube.mesh, twins, cube.sites, site, curve, Station{ 0, 0.5 }, place);
+    const Station level = levelWith(
+      { cube.mesh, cube.surface, twins }, cube.sites, site, curve, Station{ 0, 0.5 }, place);
     if (nearest < 1.0)
     {
       CHECK_NEAR(level.t, fromFront <= fromBack ? nearest : 1.0 - nearest, 1e-6);

@@ -40,7 +40,7 @@ Asked cancelledAt(
   const RunControl control({}, [&]() { return asked.questions++ >= question; });
   Offset needed = 0;
   const Stations stations = sampleCurves(
-    mesh, surface, features, 100, std::numeric_limits<double>::infinity(), control, needed);
+    { mesh, surface, features }, 100, std::numeric_limits<double>::infinity(), control, needed);
   for (const std::vector<Station>& places : stations)
   {
     asked.points += static_cast<Offset>(places.size());

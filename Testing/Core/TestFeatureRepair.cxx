@@ -21,7 +21,6 @@ struct Framed
   SurfaceMesh mesh;
   Features features;
   EmbeddedSurface surface;
-  Stations stations;
   FeatureSites featureSites;
 
   Framed(SurfaceMesh given, double anisotropy)
@@ -32,23 +31,24 @@ struct Framed
     separatePatches(this->features.facetPatches, this->features.numberOfPatches, this->surface);
   }
 
+  FeaturedSurface view() const { return { this->mesh, this->surface, this->features }; }
+
   /** Each curve in as many sections as `sections(curve)`. */
   template <class Sections>
   void divide(const Sections& sections)
   {
+    Stations stations;
     for (std::size_t c = 0; c < this->features.curves.size(); ++c)
     {
-      const std::vector<double> lengths =
-        measureCurve(this->mesh, this->surface, this->features, static_cast<Index>(c));
+      const std::vector<double> lengths = measureCurve(this->view(), static_cast<Index>(c));
       const int count = sections(this->features.curves[c]);
-      this->stations.emplace_back();
+      stations.emplace_back();
       for (int k = 0; k <= count; ++k)
       {
-        this->stations.back().push_back(stationAt(lengths, lengths.back() * k / count));
+        stations.back().push_back(stationAt(lengths, lengths.back() * k / count));
       }
     }
-    this->featureSites =
-      makeFeatureSites(this->mesh, this->surface, this->features, this->stations);
+    this->featureSites = makeFeatureSites(this->view(), stations);
   }
 
   Seams sew() const
@@ -60,8 +60,7 @@ struct Framed
     CHECK(findComponents(this->mesh, this->surface, sites, edges, cells.diagram, cells.owners,
       RunControl(), components, &this->featureSites)
             .ok());
-    return sewAlongFeatures(cells.diagram, components, this->mesh, this->surface, this->features,
-      this->stations, this->featureSites, sites);
+    return sewAlongFeatures(cells.diagram, components, this->view(), this->featureSites, sites);
   }
 
   /** @param mostPoints for the curves to be kept apart; 0: they are not. */
@@ -69,8 +68,8 @@ struct Framed
     const std::vector<Intrusion>& intrusions, std::vector<Index>& joining, Offset mostPoints = 0)
   {
     const Sites sites = this->featureSites.sites;
-    return refineCurves(this->mesh, this->surface, this->features, intrusions, sites, true,
-      mostPoints, RunControl(), this->stations, this->featureSites, joining);
+    return refineCurves(
+      this->view(), intrusions, sites, true, mostPoints, RunControl(), this->featureSites, joining);
   }
 
   double startOf(Index curve, int axis) const
@@ -168,13 +167,13 @@ void testOthersStay()
   const std::vector<Intrusion> before = pair.sew().encroachments;
   const std::size_t ofOther = before.size() - ofFirst(before).size();
   CHECK(ofOther >= 15);
-  const Stations stations = pair.stations;
+  const Stations stations = pair.featureSites.stations;
   std::vector<Index> joining;
   CHECK(pair.refine({ ofFirst(before).front() }, joining, 1000) >= 15);
   for (std::size_t curve = 0; curve < stations.size(); ++curve)
   {
-    CHECK(
-      isFirst(static_cast<Index>(curve)) || pair.stations[curve].size() == stations[curve].size());
+    CHECK(isFirst(static_cast<Index>(curve)) ||
+      pair.featureSites.stations[curve].size() == stations[curve].size());
   }
   const std::vector<Intrusion> after = pair.sew().encroachments;
   CHECK(ofFirst(after).empty());

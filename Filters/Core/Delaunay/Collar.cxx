@@ -79,15 +79,13 @@ bool listStretches(const VertexPlaces& places, Index facet, int k, std::vector<S
 class Sewer
 {
 public:
-  Sewer(const Diagram& diagram, const Components& components, const SurfaceMesh& mesh,
-    const EmbeddedSurface& surface, const Features& features, const Stations& stations,
+  Sewer(const Diagram& diagram, const Components& components, const FeaturedSurface& featured,
     const FeatureSites& featureSites, const Sites& sites, Seams& seams)
     : m_diagram(diagram)
     , m_components(components)
-    , m_mesh(mesh)
-    , m_surface(surface)
-    , m_features(features)
-    , m_stations(stations)
+    , m_mesh(featured.mesh)
+    , m_surface(featured.surface)
+    , m_features(featured.features)
     , m_sites(featureSites)
     , m_allSites(sites)
     , m_seams(seams)
@@ -200,7 +198,7 @@ private:
     {
       intrusion.foot = { collar.segment + 1, 0.0 };
     }
-    const std::vector<Station>& stations = m_stations[collar.curve];
+    const std::vector<Station>& stations = m_sites.stations[collar.curve];
     const auto after = std::upper_bound(stations.begin(), stations.end(), intrusion.foot);
     intrusion.section = std::clamp(static_cast<Index>(after - stations.begin()) - 1, Index(0),
       static_cast<Index>(stations.size()) - 2);
@@ -251,7 +249,6 @@ private:
   const SurfaceMesh& m_mesh;
   const EmbeddedSurface& m_surface;
   const Features& m_features;
-  const Stations& m_stations;
   const FeatureSites& m_sites;
   const Sites& m_allSites;
   Seams& m_seams;
@@ -345,14 +342,14 @@ void keepNearest(std::vector<Intrusion>& intrusions)
 }
 
 Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
-  const Stations& stations, const FeatureSites& featureSites, const Sites& sites)
+  const FeaturedSurface& featured, const FeatureSites& featureSites, const Sites& sites)
 {
+  const Features& features = featured.features;
   Seams seams;
   seams.components = componentsOfPoints(diagram, components, featureSites);
   shapeCollars(features, featureSites, seams);
   addSegments(features, featureSites, seams);
-  Sewer sewer(diagram, components, mesh, surface, features, stations, featureSites, sites, seams);
+  Sewer sewer(diagram, components, featured, featureSites, sites, seams);
   for (const CollarEdge& collar : featureSites.collar)
   {
     for (Offset i = features.edges.edgeFacetsBegin[collar.edge];

@@ -70,8 +70,7 @@ struct Seams
 
 /** O(pieces along the features). */
 Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
-  const Stations& stations, const FeatureSites& featureSites, const Sites& sites);
+  const FeaturedSurface& featured, const FeatureSites& featureSites, const Sites& sites);
 
 /** Whether each vertex of the mesh, a component, is a feature point. */
 std::vector<char> verticesOnFeatures(const Seams& seams, Index numberOfVertices);

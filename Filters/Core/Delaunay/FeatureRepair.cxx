@@ -15,35 +15,6 @@ namespace
 {
 constexpr double leastGap = 0.02; // of a section, between its ends and a new place
 
-/** The lengths along each curve that is asked for. */
-class CurveLengths
-{
-public:
-  CurveLengths(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features)
-    : m_mesh(mesh)
-    , m_surface(surface)
-    , m_features(features)
-    , m_lengths(features.curves.size())
-  {
-  }
-
-  const std::vector<double>& of(Index curve)
-  {
-    std::vector<double>& lengths = m_lengths[curve];
-    if (lengths.empty())
-    {
-      lengths = measureCurve(m_mesh, m_surface, m_features, curve);
-    }
-    return lengths;
-  }
-
-private:
-  const SurfaceMesh& m_mesh;
-  const EmbeddedSurface& m_surface;
-  const Features& m_features;
-  std::vector<std::vector<double>> m_lengths;
-};
-
 /** Section by section, those nearest to its middle first. */
 std::vector<Intrusion> inwardFirst(
   const std::vector<Intrusion>& intrusions, const Stations& stations, CurveLengths& lengths)
@@ -81,9 +52,10 @@ std::ptrdiff_t sectionOf(const Station& place, const std::vector<Station>& place
  * Where a curve gets a place: see CurveLevel.h for sites that are on features themselves. The side
  * of the curve is the one that is nearest to the site, as patches lie apart.
  */
-Station placeFor(const Intrusion& intrusion, const SurfaceMesh& mesh,
-  const EmbeddedSurface& surface, const Features& features, const FeatureSites& featureSites)
+Station placeFor(
+  const Intrusion& intrusion, const FeaturedSurface& featured, const FeatureSites& featureSites)
 {
+  const auto& [mesh, surface, features] = featured;
   if (intrusion.site >= featureSites.sites.count())
   {
     return intrusion.foot;
@@ -110,20 +82,20 @@ Station placeFor(const Intrusion& intrusion, const SurfaceMesh& mesh,
     }
   }
   return levelWith(
-    mesh, features, featureSites, intrusion.site, intrusion.curve, intrusion.foot, nearest);
+    featured, featureSites, intrusion.site, intrusion.curve, intrusion.foot, nearest);
 }
 }
 
-Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const std::vector<Intrusion>& intrusions, const Sites& sites,
-  bool areApart, Offset mostPoints, const RunControl& control, Stations& stations,
+Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>& intrusions,
+  const Sites& sites, bool areApart, Offset mostPoints, const RunControl& control,
   FeatureSites& featureSites, std::vector<Index>& joining)
 {
+  Stations stations = featureSites.stations;
   joining.clear();
   std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
   std::set<std::pair<Index, Index>> divided;
-  CurveLengths lengths(mesh, surface, features);
-  std::vector<char> watched(features.curves.size(), areApart ? 0 : 1);
+  CurveLengths lengths(featured);
+  std::vector<char> watched(featured.features.curves.size(), areApart ? 0 : 1);
   Index count = 0;
   for (const Intrusion& intrusion : inwardFirst(intrusions, stations, lengths))
   {
@@ -134,7 +106,7 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     }
     const std::vector<double>& along = lengths.of(intrusion.curve);
     std::vector<Station>& places = stations[intrusion.curve];
-    const Station place = placeFor(intrusion, mesh, surface, features, featureSites);
+    const Station place = placeFor(intrusion, featured, featureSites);
     const bool isThere = sectionOf(place, places) == sectionOf(intrusion.foot, places);
     if ((isThere && insertStation(along, place, 0.0, leastGap, places)) ||
       insertStation(along, intrusion.foot, 0.0, leastGap, places))
@@ -153,11 +125,10 @@ Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   {
     return 0;
   }
-  featureSites = makeFeatureSites(mesh, surface, features, stations);
-  const double spacing = std::sqrt(surface.siteMeasure / sites.count());
+  featureSites = makeFeatureSites(featured, stations);
+  const double spacing = std::sqrt(featured.surface.siteMeasure / sites.count());
   return count +
-    separateCurves(mesh, surface, features, std::move(watched), mostPoints, spacing, control,
-      stations, featureSites);
+    separateCurves(featured, std::move(watched), mostPoints, spacing, control, featureSites);
 }
 
 void replaceFixed(const FeatureSites& featureSites, Sites& sites)

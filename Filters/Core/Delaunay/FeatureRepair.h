@@ -22,13 +22,12 @@ namespace remesh
  * @param intrusions as the seams have them.
  * @param areApart the curves were before, as far as that is possible.
  * @param mostPoints vertices on features, to keep curves apart.
- * @param stations, featureSites are brought up to date; `sites` are to follow (replaceFixed).
+ * @param featureSites are brought up to date; `sites` are to follow (replaceFixed).
  * @param joining the free sites that are to go.
  * @return the number of new places on the curves.
  */
-Index refineCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const std::vector<Intrusion>& intrusions, const Sites& sites,
-  bool areApart, Offset mostPoints, const RunControl& control, Stations& stations,
+Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>& intrusions,
+  const Sites& sites, bool areApart, Offset mostPoints, const RunControl& control,
   FeatureSites& featureSites, std::vector<Index>& joining);
 
 /** Puts these in the place of the fixed sites. */

@@ -32,16 +32,17 @@ Index nearestCopy(const FeatureSites& sites, Index point, const Eigen::VectorXd&
   return nearest;
 }
 
-Station levelWith(const SurfaceMesh& mesh, const Features& features, const FeatureSites& sites,
-  Index site, Index curve, const Station& foot, const Eigen::VectorXd& place)
+Station levelWith(const FeaturedSurface& featured, const FeatureSites& sites, Index site,
+  Index curve, const Station& foot, const Eigen::VectorXd& place)
 {
+  const SurfaceMesh& mesh = featured.mesh;
   const FeaturePoint& point = sites.points[sites.pointOfSite[site]];
   if (point.isCorner || point.curve == curve)
   {
     return foot;
   }
-  const FeatureCurve& own = features.curves[curve];
-  const FeatureCurve& other = features.curves[point.curve];
+  const FeatureCurve& own = featured.features.curves[curve];
+  const FeatureCurve& other = featured.features.curves[point.curve];
   const Point3& from = mesh.points[own.points[foot.segment]];
   const Point3 at = from + foot.t * (mesh.points[own.points[foot.segment + 1]] - from);
   Station level = foot;

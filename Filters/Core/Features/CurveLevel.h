@@ -22,8 +22,8 @@ Index nearestCopy(const FeatureSites& sites, Index point, const Eigen::VectorXd&
  * @param foot of the site on the curve.
  * @param place of the foot, in R^d (d), on the side in question.
  */
-Station levelWith(const SurfaceMesh& mesh, const Features& features, const FeatureSites& sites,
-  Index site, Index curve, const Station& foot, const Eigen::VectorXd& place);
+Station levelWith(const FeaturedSurface& featured, const FeatureSites& sites, Index site,
+  Index curve, const Station& foot, const Eigen::VectorXd& place);
 }
 
 #endif

@@ -224,9 +224,9 @@ Stations sampleWith(const std::vector<Course>& courses, const std::vector<Index>
 }
 }
 
-std::vector<double> measureCurve(
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features, Index curve)
+std::vector<double> measureCurve(const FeaturedSurface& featured, Index curve)
 {
+  const auto& [mesh, surface, features] = featured;
   const FeatureCurve& course = features.curves[curve];
   std::vector<double> lengths{ 0.0 };
   for (const Index edge : course.edges)
@@ -317,10 +317,12 @@ Station stationAtRadius(
   return fromFront ? Station{ count - 1, 1.0 } : Station{ 0, 0.0 };
 }
 
-Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset numberOfPoints, double mostError, const RunControl& control,
-  Offset& needed)
+Stations sampleCurves(const FeaturedSurface& featured, Offset numberOfPoints, double mostError,
+  const RunControl& control, Offset& needed)
 {
+  const SurfaceMesh& mesh = featured.mesh;
+  const EmbeddedSurface& surface = featured.surface;
+  const Features& features = featured.features;
   std::vector<Course> courses(features.curves.size());
   for (std::size_t c = 0; c < courses.size(); ++c)
   {
@@ -328,7 +330,7 @@ Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     {
       courses[c].points.push_back(mesh.points[point]);
     }
-    courses[c].lengths = measureCurve(mesh, surface, features, static_cast<Index>(c));
+    courses[c].lengths = measureCurve(featured, static_cast<Index>(c));
     courses[c].isRough =
       features.curves[c].kind == FeatureKind::Crease && zigzags(courses[c].points);
   }

@@ -5,8 +5,7 @@
 #ifndef remesh_CurveSampling_h
 #define remesh_CurveSampling_h
 
-#include "Embedding/EmbeddedSurface.h"
-#include "Features/Features.h"
+#include "Features/FeaturedSurface.h"
 
 namespace remesh
 {
@@ -29,8 +28,32 @@ using Stations = std::vector<std::vector<Station>>;
  * Length along a curve in the embedding, as a density scales it, at each of its points (m + 1): of
  * its finest side.
  */
-std::vector<double> measureCurve(
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features, Index curve);
+std::vector<double> measureCurve(const FeaturedSurface& featured, Index curve);
+
+/** The lengths along each curve that is asked for. */
+class CurveLengths
+{
+public:
+  explicit CurveLengths(const FeaturedSurface& featured)
+    : m_featured(featured)
+    , m_lengths(featured.features.curves.size())
+  {
+  }
+
+  const std::vector<double>& of(Index curve)
+  {
+    std::vector<double>& lengths = m_lengths[curve];
+    if (lengths.empty())
+    {
+      lengths = measureCurve(m_featured, curve);
+    }
+    return lengths;
+  }
+
+private:
+  FeaturedSurface m_featured;
+  std::vector<std::vector<double>> m_lengths;
+};
 
 /** The place at some length of a curve with these lengths at its points. */
 Station stationAt(const std::vector<double>& lengths, double length);
@@ -73,9 +96,8 @@ Station stationAtRadius(
  * @return of no use when cancelled: asked between the tries.
  * Cost: O(V log V) for V points on curves, times the tries for the distance.
  */
-Stations sampleCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, Offset numberOfPoints, double mostError, const RunControl& control,
-  Offset& needed);
+Stations sampleCurves(const FeaturedSurface& featured, Offset numberOfPoints, double mostError,
+  const RunControl& control, Offset& needed);
 
 /** The vertices that a mesh has on its features: corners, and places between. */
 Offset countFeaturePoints(const Features& features, const Stations& stations);

@@ -4,8 +4,8 @@
 #include "Voronoi/NeighborSearch.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
+#include <utility>
 
 namespace remesh
 {
@@ -32,11 +32,11 @@ using Coordinates = Eigen::Map<const Eigen::VectorXd>;
 class Watch
 {
 public:
-  Watch(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
-    const FeatureSites& sites)
-    : m_mesh(mesh)
-    , m_surface(surface)
-    , m_features(features)
+  Watch(const FeaturedSurface& featured, const FeatureSites& sites)
+    : m_featured(featured)
+    , m_mesh(featured.mesh)
+    , m_surface(featured.surface)
+    , m_features(featured.features)
     , m_sites(sites)
     , m_search(sites.sites)
   {
@@ -132,7 +132,7 @@ private:
       intruder.foot = { collar.segment + 1, 0.0 };
     }
     intruder.level =
-      levelWith(m_mesh, m_features, m_sites, site, intruder.curve, intruder.foot, this->placeAt(t));
+      levelWith(m_featured, m_sites, site, intruder.curve, intruder.foot, this->placeAt(t));
     m_intruders.push_back(intruder);
   }
 
@@ -155,6 +155,7 @@ private:
 
   Eigen::VectorXd placeAt(double t) const { return m_start + t * m_along; }
 
+  FeaturedSurface m_featured;
   const SurfaceMesh& m_mesh;
   const EmbeddedSurface& m_surface;
   const Features& m_features;
@@ -189,65 +190,94 @@ std::vector<Intruder> worstOfSections(
   }
   return result;
 }
-}
 
-Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, std::vector<char> curves, Offset mostPoints, double spacing,
-  const RunControl& control, Stations& stations, FeatureSites& featureSites)
+/** Puts places on the curves that are looked after, while there is room. */
+class Division
 {
-  const FeatureSiteMaker maker(mesh, surface, features);
-  const Stations before = stations;
-  const Index pointsBefore = featureSites.numberOfPoints();
-  const double least = leastSection * spacing;
-  std::map<Index, std::vector<double>> lengths;
-  std::size_t found = 0; // in the first round
-  bool isFull = false;
-  const auto goesOn = [&](int round)
-  { return round < mostRounds && !featureSites.collar.empty() && !control.cancelled(); };
-  for (int round = 0; goesOn(round); ++round)
+public:
+  Division(
+    const FeaturedSurface& featured, std::vector<char> curves, Offset mostPoints, double spacing)
+    : m_lengths(featured)
+    , m_curves(std::move(curves))
+    , m_mostPoints(mostPoints)
+    , m_leastSection(leastSection * spacing)
   {
-    const std::vector<Intruder> intruders =
-      worstOfSections(Watch(mesh, surface, features, featureSites).find(), stations);
-    found = round == 0 ? intruders.size() : found;
-    isFull = isFull || featureSites.numberOfPoints() >= mostPoints;
-    if (isFull && 2 * intruders.size() > found)
-    {
-      stations = before;
-      featureSites = maker.make(stations);
-    }
-    const Offset pointsSoFar = featureSites.numberOfPoints();
-    Offset points = pointsSoFar;
+  }
+
+  /** @param points the features' vertices so far. @return how many are added. */
+  Offset addPlaces(const std::vector<Intruder>& intruders, Offset points, Stations& stations)
+  {
+    Offset added = 0;
     for (const Intruder& intruder : intruders)
     {
-      isFull = isFull || points >= mostPoints;
-      if (isFull)
+      if (this->isFull(points + added))
       {
         break;
       }
-      const bool isBeside = intruder.other != noIndex && curves[intruder.other];
-      if (!curves[intruder.curve] && !isBeside)
+      if (this->looksAfter(intruder) && this->addPlace(intruder, stations[intruder.curve]))
       {
-        continue;
-      }
-      std::vector<double>& along = lengths[intruder.curve];
-      if (along.empty())
-      {
-        along = measureCurve(mesh, surface, features, intruder.curve);
-      }
-      std::vector<Station>& places = stations[intruder.curve];
-      if (insertStation(along, intruder.level, least, leastGap, places) ||
-        insertStation(along, intruder.foot, least, leastGap, places))
-      {
-        ++points;
-        curves[intruder.curve] = 1;
+        ++added;
+        m_curves[intruder.curve] = 1;
       }
     }
-    if (points == pointsSoFar)
+    return added;
+  }
+
+  /** Whether there was no room, or is none with so many vertices. */
+  bool isFull(Offset points)
+  {
+    m_isFull = m_isFull || points >= m_mostPoints;
+    return m_isFull;
+  }
+
+private:
+  bool looksAfter(const Intruder& intruder) const
+  {
+    return m_curves[intruder.curve] || (intruder.other != noIndex && m_curves[intruder.other]);
+  }
+
+  bool addPlace(const Intruder& intruder, std::vector<Station>& places)
+  {
+    const std::vector<double>& lengths = m_lengths.of(intruder.curve);
+    return insertStation(lengths, intruder.level, m_leastSection, leastGap, places) ||
+      insertStation(lengths, intruder.foot, m_leastSection, leastGap, places);
+  }
+
+  CurveLengths m_lengths;
+  std::vector<char> m_curves;
+  Offset m_mostPoints;
+  double m_leastSection;
+  bool m_isFull = false;
+};
+}
+
+Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves, Offset mostPoints,
+  double spacing, const RunControl& control, FeatureSites& sites)
+{
+  const FeatureSiteMaker maker(featured);
+  const Stations before = sites.stations;
+  Stations stations = before;
+  const Index pointsBefore = sites.numberOfPoints();
+  Division division(featured, std::move(curves), mostPoints, spacing);
+  std::size_t found = 0; // in the first round
+  const auto goesOn = [&](int round)
+  { return round < mostRounds && !sites.collar.empty() && !control.cancelled(); };
+  for (int round = 0; goesOn(round); ++round)
+  {
+    const std::vector<Intruder> intruders =
+      worstOfSections(Watch(featured, sites).find(), stations);
+    found = round == 0 ? intruders.size() : found;
+    if (division.isFull(sites.numberOfPoints()) && 2 * intruders.size() > found)
+    {
+      stations = before;
+      sites = maker.make(stations);
+    }
+    if (division.addPlaces(intruders, sites.numberOfPoints(), stations) == 0)
     {
       break;
     }
-    featureSites = maker.make(stations);
+    sites = maker.make(stations);
   }
-  return featureSites.numberOfPoints() - pointsBefore;
+  return sites.numberOfPoints() - pointsBefore;
 }
 }

@@ -15,9 +15,9 @@
 namespace remesh
 {
 /**
- * Adds places to the curves until no site of theirs is nearer, in R^d, to a place of a curve than
- * the curve's own site there, or until the features have `mostPoints` vertices; none at all where
- * these would not get half of the sites away.
+ * Adds places, with their sites, to the curves until no site of theirs is nearer, in R^d, to a
+ * place of a curve than the curve's own site there, or until the features have `mostPoints`
+ * vertices; none at all where these would not get half of the sites away.
  *
  * A curve is divided at the foot of a site that is too near; where the curves of both meet in a
  * corner, at the site's distance from the corner. Left as they are: sections shorter than a
@@ -26,15 +26,13 @@ namespace remesh
  *
  * @param curves of each curve, whether it is looked after: those that got places since the others
  *        were kept apart, as far as that was possible, and all that get some on the way.
- * @param featureSites those of the stations; brought up to date, too.
  * @param control asked for cancellation; then some sites may still be too near.
  * @return the number of places added.
  * Cost: some rounds, one where nothing is too near, each O(V + F), and a neighbour search for each
  * edge of the curves.
  */
-Index separateCurves(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, std::vector<char> curves, Offset mostPoints, double spacing,
-  const RunControl& control, Stations& stations, FeatureSites& featureSites);
+Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves, Offset mostPoints,
+  double spacing, const RunControl& control, FeatureSites& sites);
 }
 
 #endif

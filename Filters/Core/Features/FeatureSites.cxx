@@ -8,13 +8,11 @@
 
 namespace remesh
 {
-FeatureSiteMaker::FeatureSiteMaker(
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features)
-  : m_mesh(mesh)
-  , m_surface(surface)
-  , m_features(features)
-  , m_facetOfCorner(mesh.cornerPoints.size(), { noIndex, 0 })
+FeatureSiteMaker::FeatureSiteMaker(const FeaturedSurface& featured)
+  : m_featured(featured)
+  , m_facetOfCorner(featured.mesh.cornerPoints.size(), { noIndex, 0 })
 {
+  const SurfaceMesh& mesh = featured.mesh;
   // Not to be cancelled: it takes as long as one look at the surface.
   static_cast<void>(groupByKey(
     static_cast<Offset>(mesh.cornerPoints.size()), mesh.numberOfPoints(), RunControl(),
@@ -38,9 +36,9 @@ class FeatureSiteMaker::Builder
 public:
   Builder(const FeatureSiteMaker& maker, FeatureSites& result)
     : m_maker(maker)
-    , m_mesh(maker.m_mesh)
-    , m_surface(maker.m_surface)
-    , m_features(maker.m_features)
+    , m_mesh(maker.m_featured.mesh)
+    , m_surface(maker.m_featured.surface)
+    , m_features(maker.m_featured.features)
     , m_result(result)
     , m_coordinates(static_cast<std::size_t>(m_surface.dimension))
   {
@@ -144,11 +142,11 @@ private:
 namespace
 {
 /** The curve's cells: each station's reaches half-way to the next. */
-void addCollar(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features,
-  const std::vector<Station>& stations, Index curve, FeatureSites& result)
+void addCollar(const FeaturedSurface& featured, Index curve, FeatureSites& result)
 {
-  const FeatureCurve& course = features.curves[curve];
-  const std::vector<double> lengths = measureCurve(mesh, surface, features, curve);
+  const FeatureCurve& course = featured.features.curves[curve];
+  const std::vector<double> lengths = measureCurve(featured, curve);
+  const std::vector<Station>& stations = result.stations[curve];
   const std::vector<Index>& points = result.curvePoints[curve];
   std::size_t current = 0;
   const auto changeAfter = [&](std::size_t k)
@@ -200,16 +198,18 @@ void shake(const EmbeddedSurface& surface, Sites& sites)
 FeatureSites FeatureSiteMaker::make(const Stations& stations) const
 {
   FeatureSites result;
+  result.stations = stations;
   Builder builder(*this, result);
-  std::vector<Index> atCorner(m_mesh.points.size(), noIndex);
-  for (const Index point : m_features.corners)
+  const Features& features = m_featured.features;
+  std::vector<Index> atCorner(m_featured.mesh.points.size(), noIndex);
+  for (const Index point : features.corners)
   {
     atCorner[point] = builder.addAtPoint(point, noIndex);
   }
   result.curvePoints.resize(stations.size());
   for (std::size_t c = 0; c < stations.size(); ++c)
   {
-    const FeatureCurve& curve = m_features.curves[c];
+    const FeatureCurve& curve = features.curves[c];
     std::vector<Index>& points = result.curvePoints[c];
     for (std::size_t k = 0; k < stations[c].size(); ++k)
     {
@@ -233,10 +233,10 @@ FeatureSites FeatureSiteMaker::make(const Stations& stations) const
           curve.points[station.segment], station.t, static_cast<Index>(c)));
       }
     }
-    addCollar(m_mesh, m_surface, m_features, stations[c], static_cast<Index>(c), result);
+    addCollar(m_featured, static_cast<Index>(c), result);
   }
   result.sites.fixed = result.sites.count();
-  shake(m_surface, result.sites);
+  shake(m_featured.surface, result.sites);
   return result;
 }
 }

@@ -5,7 +5,6 @@
 #ifndef remesh_FeatureSites_h
 #define remesh_FeatureSites_h
 
-#include "Embedding/EmbeddedSurface.h"
 #include "Features/CurveSampling.h"
 #include "Support/Grouping.h"
 
@@ -46,6 +45,7 @@ struct CollarEdge
 
 struct FeatureSites
 {
+  Stations stations;                           ///< the places on the curves
   std::vector<FeaturePoint> points;            ///< corners first, then curve by curve
   Sites sites;                                 ///< the copies, point by point, all fixed
   std::vector<Index> pointOfSite;              ///< the feature point of each copy
@@ -78,9 +78,8 @@ struct FeatureSites
 class FeatureSiteMaker
 {
 public:
-  /** All must outlive this object. O(V + F). */
-  FeatureSiteMaker(
-    const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features);
+  /** O(V + F). */
+  explicit FeatureSiteMaker(const FeaturedSurface& featured);
 
   /** For these places. O(V + sites). */
   FeatureSites make(const Stations& stations) const;
@@ -88,18 +87,15 @@ public:
 private:
   class Builder;
 
-  const SurfaceMesh& m_mesh;
-  const EmbeddedSurface& m_surface;
-  const Features& m_features;
+  FeaturedSurface m_featured;
   Groups m_cornersOfPoint;                            ///< V
   std::vector<std::pair<Index, int>> m_facetOfCorner; ///< C
 };
 
 /** The same for one set of places. O(V + F). */
-inline FeatureSites makeFeatureSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const Stations& stations)
+inline FeatureSites makeFeatureSites(const FeaturedSurface& featured, const Stations& stations)
 {
-  return FeatureSiteMaker(mesh, surface, features).make(stations);
+  return FeatureSiteMaker(featured).make(stations);
 }
 }
 

@@ -24,9 +24,9 @@ struct PatchSizes
   std::vector<double> border; ///< length of the features around it, both sides of a slit
 };
 
-PatchSizes measurePatches(
-  const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Features& features)
+PatchSizes measurePatches(const FeaturedSurface& featured)
 {
+  const auto& [mesh, surface, features] = featured;
   PatchSizes sizes;
   sizes.area.assign(static_cast<std::size_t>(features.numberOfPatches), 0.0);
   sizes.border = sizes.area;
@@ -88,10 +88,11 @@ double totalDemand(const PatchSizes& sizes, double spacing)
 }
 }
 
-std::vector<Offset> shareOutSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const FeatureSites& featureSites, Offset wanted)
+std::vector<Offset> shareOutSites(
+  const FeaturedSurface& featured, const FeatureSites& featureSites, Offset wanted)
 {
-  const PatchSizes sizes = measurePatches(mesh, surface, features);
+  const PatchSizes sizes = measurePatches(featured);
+  const EmbeddedSurface& surface = featured.surface;
   const auto n = static_cast<double>(std::max(wanted, Offset(0)));
   double high = std::sqrt(surface.siteMeasure / (cellArea * std::max(n, 1.0))); // less than n fit
   double low = high;

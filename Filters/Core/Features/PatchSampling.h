@@ -19,8 +19,8 @@ namespace remesh
  *
  * @param wanted free sites in all; where closed patches need more, there are more.
  */
-std::vector<Offset> shareOutSites(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const Features& features, const FeatureSites& featureSites, Offset wanted);
+std::vector<Offset> shareOutSites(
+  const FeaturedSurface& featured, const FeatureSites& featureSites, Offset wanted);
 
 /**
  * Appends free sites to the fixed ones, drawn in each patch as sampleSurface does for the whole

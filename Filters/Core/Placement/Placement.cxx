@@ -148,10 +148,46 @@ Status mendFromCentroids(const FlipTask& task, const std::vector<Point3>& fitted
   return Status::success();
 }
 
+/** Whether any triangles are left flipped, and few enough. */
+bool isWorthMore(const FlipRepair& repair, const std::vector<Triple>& triangles)
+{
+  return repair.flippedTriangles > 0 &&
+    repair.flippedTriangles <= mostFlipped(static_cast<Offset>(triangles.size()));
+}
+
 /**
- * Turns flipped triangles back: by moving vertices, then with the places that vertices come to from
- * the centroids, by turned edges, and at last by all of that from the centroids.
+ * Turns flipped triangles back by moving vertices, then with the places that vertices come to from
+ * the centroids, if few are left.
+ *
+ * @param flipped then.
  */
+Status moveBack(const FlipTask& task, FlipSearch& search, std::vector<Triple>& triangles,
+  Placement& placement, std::vector<Index>& flipped)
+{
+  FlipRepair& repair = placement.repair;
+  Status status =
+    repairFlips(task, FlipSteps::Move, search, triangles, placement.positions, repair);
+  if (!status.ok() || !isWorthMore(repair, triangles))
+  {
+    return status;
+  }
+  std::vector<Point3> fromCentroids = task.shapes;
+  FlipSearch otherSearch(task.surface);
+  FlipRepair other;
+  status = repairFlips(task, FlipSteps::Move, otherSearch, triangles, fromCentroids, other);
+  if (status.ok() && other.flippedTriangles < repair.flippedTriangles)
+  {
+    status = search.find(triangles, placement.positions, task.control, flipped);
+    if (status.ok())
+    {
+      repair.movedVertices += retreat(
+        task.problem, task.surface, fromCentroids, flipped, task.control, placement.positions);
+    }
+  }
+  return status.ok() ? search.find(triangles, placement.positions, task.control, flipped) : status;
+}
+
+/** Turns flipped triangles back: by moving vertices, by turned edges, and from the centroids. */
 Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start,
   const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
@@ -167,36 +203,16 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   }
   const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
   const FlipTask task{ problem, surface, onSurface, start, control };
-  status = repairFlips(task, FlipSteps::Move, search, triangles, placement.positions, repair);
-  const Offset most = mostFlipped(static_cast<Offset>(triangles.size()));
-  if (!status.ok() || repair.flippedTriangles == 0 || repair.flippedTriangles > most)
+  status = moveBack(task, search, triangles, placement, flipped);
+  if (!status.ok() || !isWorthMore(repair, triangles))
   {
     return status;
   }
-  std::vector<Point3> fromCentroids = start;
-  FlipSearch otherSearch(surface);
-  FlipRepair other;
-  status = repairFlips(task, FlipSteps::Move, otherSearch, triangles, fromCentroids, other);
-  Offset moved = repair.movedVertices;
-  if (status.ok() && other.flippedTriangles < repair.flippedTriangles)
-  {
-    status = search.find(triangles, placement.positions, control, flipped);
-    if (status.ok())
-    {
-      moved += retreat(problem, surface, fromCentroids, flipped, control, placement.positions);
-    }
-  }
-  if (status.ok())
-  {
-    status = search.find(triangles, placement.positions, control, flipped);
-  }
+  const Offset moved = repair.movedVertices;
   const std::vector<Point3> fitted = placement.positions;
   const std::vector<Triple> dual = triangles; // `problem` may hold the very list that changes
-  if (status.ok())
-  {
-    status =
-      repairFlips(task, FlipSteps::MoveAndTurn, search, triangles, placement.positions, repair);
-  }
+  status =
+    repairFlips(task, FlipSteps::MoveAndTurn, search, triangles, placement.positions, repair);
   if (status.ok() && repair.flippedTriangles > 0 && repair.flippedTriangles <= fewFlipped)
   {
     const PlacementProblem unturned{ problem.mesh, problem.surface, problem.sites, problem.diagram,
