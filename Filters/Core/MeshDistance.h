@@ -23,7 +23,7 @@ Triangles trianglesOf(const RemeshResult& result);
  * the surfaces has no area.
  *
  * @return Cancelled, or success.
- * Cost: O(F + T) for two trees, one after the other, of 100 bytes a triangle.
+ * Cost: O(F + T) for two trees, one after the other, of 32 bytes a triangle.
  */
 Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result);
 }

@@ -5,6 +5,7 @@
 #ifndef remesh_RemeshTask_h
 #define remesh_RemeshTask_h
 
+#include "Features/FeaturedSurface.h"
 #include "Remesh.h"
 
 #include <algorithm>

@@ -197,6 +197,45 @@ void testNeedles()
   }
 }
 
+Features featuresOf(
+  const std::vector<Point3>& points, const std::vector<std::array<Offset, 3>>& triangles)
+{
+  SurfaceMesh mesh = test::meshOf(test::makeSoup(points, triangles));
+  FeatureOptions options;
+  options.spacing = 0.1;
+  return findFeatures(mesh, options);
+}
+
+/** A crack along a crease, filled with two needles that meet in the longest edge of both. */
+void testPairOfNeedles()
+{
+  constexpr double low = 0.001;
+  const std::vector<Point3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, -1 }, { 0.5, -1, -1 },
+    { 0.4, -0.5 * low, 0.87 * low }, { 0.6, -0.9 * low, 0 } };
+  std::vector<std::array<Offset, 3>> triangles{ { 0, 1, 4 }, { 1, 0, 5 }, { 0, 4, 2 }, { 4, 1, 2 },
+    { 1, 5, 3 }, { 5, 0, 3 } };
+  for (int first = 0; first < 2; ++first)
+  {
+    const Features features = featuresOf(points, triangles);
+    CHECK_EQUAL(std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease), 2);
+    CHECK_EQUAL(features.droppedEdges, 3);
+    std::swap(triangles[0], triangles[1]);
+  }
+}
+
+/** Beside a crease a low facet, and beyond it one too thin to tell that the low one stands out. */
+void testThinBesideLow()
+{
+  constexpr double low = 0.001;
+  const Point3 tip{ 0.4, low, 0.0 };
+  const Point3 end{ 1.0, 0.0, 0.0 };
+  const Features features = featuresOf({ { 0, 0, 0 }, end, { 0.5, 1, 0 }, { 0.5, -1, -1 }, tip,
+                                         0.5 * (tip + end) + Point3(0.0, 0.0, 1e-8) },
+    { { 0, 1, 4 }, { 4, 1, 5 }, { 0, 4, 2 }, { 4, 5, 2 }, { 5, 1, 2 }, { 1, 0, 3 } });
+  CHECK_EQUAL(std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease), 1);
+  CHECK_EQUAL(features.droppedEdges, 0);
+}
+
 /** A tip that touches the middle of a crease, or of a border, makes that point a corner. */
 void testTouchingTip()
 {
@@ -318,6 +357,8 @@ int TestFeatureFilter(int, char*[])
   testBox();
   testSlivers();
   testNeedles();
+  testPairOfNeedles();
+  testThinBesideLow();
   testTouchingTip();
   testSteps();
   testBordersOfSteps();

@@ -34,9 +34,6 @@ class Watch
 public:
   Watch(const FeaturedSurface& featured, const FeatureSites& sites)
     : m_featured(featured)
-    , m_mesh(featured.mesh)
-    , m_surface(featured.surface)
-    , m_features(featured.features)
     , m_sites(sites)
     , m_search(sites.sites)
   {
@@ -48,10 +45,10 @@ public:
     for (const CollarEdge& collar : m_sites.collar)
     {
       station = collar.segment == 0 ? 0 : station;
-      for (Offset i = m_features.edges.edgeFacetsBegin[collar.edge];
-           i < m_features.edges.edgeFacetsBegin[collar.edge + 1]; ++i)
+      for (Offset i = m_featured.features.edges.edgeFacetsBegin[collar.edge];
+           i < m_featured.features.edges.edgeFacetsBegin[collar.edge + 1]; ++i)
       {
-        this->watchSide(collar, m_features.edges.edgeFacets[i], station);
+        this->watchSide(collar, m_featured.features.edges.edgeFacets[i], station);
       }
       station += collar.changes.size();
     }
@@ -62,13 +59,13 @@ private:
   /** One side of an edge, the stretches of its sites one after the other. */
   void watchSide(const CollarEdge& collar, Index facet, std::size_t station)
   {
-    const int k = m_features.edges.sideOf(facet, collar.edge);
-    const bool forward = m_mesh.facetPoints[facet][k] == collar.start;
-    const Triple& corners = m_mesh.facetCorners[facet];
+    const int k = m_featured.features.edges.sideOf(facet, collar.edge);
+    const bool forward = m_featured.mesh.facetPoints[facet][k] == collar.start;
+    const Triple& corners = m_featured.mesh.facetCorners[facet];
     const Index start = corners[forward ? k : (k + 1) % 3];
     const Index end = corners[forward ? (k + 1) % 3 : k];
-    m_start = Coordinates(m_surface.corner(start), m_surface.dimension);
-    m_along = Coordinates(m_surface.corner(end), m_surface.dimension) - m_start;
+    m_start = Coordinates(m_featured.surface.corner(start), m_featured.surface.dimension);
+    m_along = Coordinates(m_featured.surface.corner(end), m_featured.surface.dimension) - m_start;
     Index owner = collar.first;
     double begin = 0.0;
     for (const CollarEdge::Change& change : collar.changes)
@@ -126,7 +123,7 @@ private:
   {
     const Index other = m_sites.points[m_sites.pointOfSite[site]].curve;
     Intruder intruder{ collar.curve, other, { collar.segment, t }, {}, excess };
-    const FeatureCurve& curve = m_features.curves[collar.curve];
+    const FeatureCurve& curve = m_featured.features.curves[collar.curve];
     if (t >= 1.0 && collar.segment + 1 < static_cast<Index>(curve.edges.size()))
     {
       intruder.foot = { collar.segment + 1, 0.0 };
@@ -141,7 +138,7 @@ private:
   {
     const std::vector<Index>& points = m_sites.curvePoints[curve];
     const std::size_t last = points.size() - 1;
-    const bool around = !m_features.curves[curve].hasCorners;
+    const bool around = !m_featured.features.curves[curve].hasCorners;
     return (station > 0 && points[station - 1] == point) ||
       (station < last && points[station + 1] == point) ||
       (around && station == 0 && points[last - 1] == point) ||
@@ -150,15 +147,12 @@ private:
 
   Coordinates coordinates(Index site) const
   {
-    return Coordinates(m_sites.sites.site(site), m_surface.dimension);
+    return Coordinates(m_sites.sites.site(site), m_featured.surface.dimension);
   }
 
   Eigen::VectorXd placeAt(double t) const { return m_start + t * m_along; }
 
   FeaturedSurface m_featured;
-  const SurfaceMesh& m_mesh;
-  const EmbeddedSurface& m_surface;
-  const Features& m_features;
   const FeatureSites& m_sites;
   NeighborSearch m_search;
   Eigen::VectorXd m_start; ///< of the edge on the side that is watched

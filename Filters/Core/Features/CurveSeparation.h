@@ -26,6 +26,7 @@ namespace remesh
  *
  * @param curves of each curve, whether it is looked after: those that got places since the others
  *        were kept apart, as far as that was possible, and all that get some on the way.
+ * @param sites on the features; those of the added places join them.
  * @param control asked for cancellation; then some sites may still be too near.
  * @return the number of places added.
  * Cost: some rounds, one where nothing is too near, each O(V + F), and a neighbour search for each

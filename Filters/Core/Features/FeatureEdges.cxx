@@ -22,9 +22,12 @@ double cosineOf(double degrees)
 struct FacetShape
 {
   Point3 normal;
-  double height;
-  bool thin; ///< too thin for its normal to mean anything
   std::array<double, 3> lengths;
+  double height; ///< above the longest edge
+  bool thin;     ///< too thin for its normal to mean anything
+  bool needle = false;
+
+  bool hasNormal() const { return !this->thin && !this->needle; }
 
   /** The longest edge, but for one. */
   int longestBut(int other) const
@@ -46,7 +49,7 @@ FacetShape shapeOf(const SurfaceMesh& mesh, Index facet, double least)
   {
     p[k] = &mesh.points[points[k]];
   }
-  FacetShape shape{ facetNormal(*p[0], *p[1], *p[2]), 0.0, true, {} };
+  FacetShape shape{ facetNormal(*p[0], *p[1], *p[2]), {}, 0.0, true };
   double longest = 0.0;
   for (int k = 0; k < 3; ++k)
   {
@@ -77,26 +80,33 @@ Index beyond(const EdgeTable& edges, Index edge, Index facet)
   return around[0] == facet ? around[1] : around[0];
 }
 
+/** Of two facets that alone share an edge: the cosine between these normals of theirs. */
+double cosineBetween(const SurfaceMesh& mesh, const EdgeTable& edges, Index edge,
+  const Point3& first, const Point3& second)
+{
+  const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+  const double cosine = first.dot(second);
+  return opposed(mesh, edges, edge, around[0], around[1]) ? -cosine : cosine;
+}
+
 /** Whether a facet's normal makes a crease of each of its long sides. */
 bool isNeedle(const SurfaceMesh& mesh, const EdgeTable& edges,
   const std::vector<FacetShape>& shapes, double leastCosine, Index facet)
 {
-  const int longest = shapes[facet].longestBut(-1);
-  for (const int side : { longest, shapes[facet].longestBut(longest) })
+  const FacetShape& shape = shapes[facet];
+  const double second = shape.lengths[shape.longestBut(shape.longestBut(-1))];
+  for (int side = 0; side < 3; ++side)
   {
     const Index edge = edges.facetEdges[facet][side];
     const Index other = beyond(edges, edge, facet);
-    if (other == noIndex)
-    {
-      return false;
-    }
-    const double sign = opposed(mesh, edges, edge, facet, other) ? -1.0 : 1.0;
-    if (sign * shapes[facet].normal.dot(shapes[other].normal) >= leastCosine)
+    if (shape.lengths[side] >= second &&
+      (other == noIndex || shapes[other].thin ||
+        cosineBetween(mesh, edges, edge, shape.normal, shapes[other].normal) >= leastCosine))
     {
       return false;
     }
   }
-  return true;
+  return !shape.thin;
 }
 
 std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edges,
@@ -106,35 +116,46 @@ std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edg
   const double highest = needleHeight * options.spacing;
   const double leastCosine = cosineOf(options.angleDegrees);
   std::vector<FacetShape> shapes(mesh.facetPoints.size());
-  std::vector<char> needles(shapes.size(), 0);
   const auto count = static_cast<Offset>(shapes.size());
   const auto findShape = [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), least); };
   const auto findNeedle = [&](Offset f)
   {
-    needles[f] = shapes[f].height < highest &&
+    shapes[f].needle = shapes[f].height < highest &&
       isNeedle(mesh, edges, shapes, leastCosine, static_cast<Index>(f));
   };
   static_cast<void>(
     forEachItem(count, control, findShape) && forEachItem(count, control, findNeedle));
-  for (std::size_t f = 0; f < shapes.size(); ++f)
-  {
-    shapes[f].thin = shapes[f].thin || needles[f] != 0;
-  }
   return shapes;
+}
+
+/**
+ * The facet beyond the longest edge, if both have no normal, it is the longest of both, and the
+ * other has the lower id; else the facet itself. Else they would take the normals of each other's
+ * sides.
+ */
+Index firstOfPair(const EdgeTable& edges, const std::vector<FacetShape>& shapes, Index facet)
+{
+  const Index edge = edges.facetEdges[facet][shapes[facet].longestBut(-1)];
+  const Index other = beyond(edges, edge, facet);
+  const bool isPair = !shapes[facet].hasNormal() && other != noIndex && other < facet &&
+    !shapes[other].hasNormal() && edges.facetEdges[other][shapes[other].longestBut(-1)] == edge;
+  return isPair ? other : facet;
 }
 
 /** Those of facets that have one; others take that of a facet beyond their long sides. */
 std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& edges,
-  const FeatureOptions& options, const RunControl& control)
+  const std::vector<FacetShape>& shapes, const RunControl& control)
 {
-  const std::vector<FacetShape> shapes = findShapes(mesh, edges, options, control);
   std::vector<Point3> normals(shapes.size());
   const auto findNormal = [&](Offset f)
   {
-    auto at = static_cast<Index>(f);
-    double sign = 1.0;
+    const auto facet = static_cast<Index>(f);
+    Index at = firstOfPair(edges, shapes, facet);
+    const int longest = shapes[facet].longestBut(-1);
+    double sign =
+      at != facet && opposed(mesh, edges, edges.facetEdges[facet][longest], facet, at) ? -1.0 : 1.0;
     int side = -1; // that it is come in by
-    for (int step = 0; step < mostSteps && shapes[at].thin; ++step)
+    for (int step = 0; step < mostSteps && !shapes[at].hasNormal(); ++step)
     {
       const Index edge = edges.facetEdges[at][shapes[at].longestBut(side)];
       const Index next = beyond(edges, edge, at);
@@ -146,7 +167,7 @@ std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& ed
       at = next;
       side = edges.sideOf(at, edge);
     }
-    normals[f] = shapes[at].thin ? shapes[f].normal : Point3(sign * shapes[at].normal);
+    normals[f] = shapes[at].hasNormal() ? Point3(sign * shapes[at].normal) : shapes[f].normal;
   };
   static_cast<void>(forEachItem(static_cast<Offset>(shapes.size()), control, findNormal));
   return normals;
@@ -156,7 +177,8 @@ std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& ed
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control)
 {
-  const std::vector<Point3> normals = reliableNormals(mesh, edges, options, control);
+  const std::vector<FacetShape> shapes = findShapes(mesh, edges, options, control);
+  const std::vector<Point3> normals = reliableNormals(mesh, edges, shapes, control);
   const double flat = cosineOf(weakShare * options.angleDegrees);
   const double leastCosine = cosineOf(options.angleDegrees);
   FeatureEdges features;
@@ -174,14 +196,27 @@ FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
     }
     const bool bordersLabels = !options.facetLabels.empty() &&
       options.facetLabels[around[0]] != options.facetLabels[around[1]];
-    const double sign = opposed(mesh, edges, edge, around[0], around[1]) ? -1.0 : 1.0;
-    const double cosine = sign * normals[around[0]].dot(normals[around[1]]);
+    const double cosine = cosineBetween(mesh, edges, edge, normals[around[0]], normals[around[1]]);
     features.angles[edge] =
       cosine > flat ? 0.0F : static_cast<float>(std::acos(std::clamp(cosine, -1.0, 1.0)));
     features.kinds[edge] =
       bordersLabels || cosine < leastCosine ? FeatureKind::Crease : FeatureKind::None;
   };
-  static_cast<void>(forEachItem(edges.numberOfEdges(), control, findKind));
+  // Sides of needles that are creases by the needles' own normals, and no features.
+  const auto isLeftOut = [&](Offset item)
+  {
+    const auto edge = static_cast<Index>(item);
+    const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+    return features.kinds[edge] == FeatureKind::None &&
+      (shapes[around[0]].needle || shapes[around[1]].needle) &&
+      cosineBetween(mesh, edges, edge, shapes[around[0]].normal, shapes[around[1]].normal) <
+      leastCosine;
+  };
+  if (forEachItem(edges.numberOfEdges(), control, findKind))
+  {
+    const Offset leftOut = countItems(edges.numberOfEdges(), control, isLeftOut);
+    features.sidesOfNeedles = static_cast<Index>(std::max(leftOut, Offset(0)));
+  }
   return features;
 }
 }

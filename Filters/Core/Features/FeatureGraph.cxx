@@ -227,7 +227,8 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
   {
     return features;
   }
-  features.droppedEdges = dropSmallFeatures(mesh, features.edges, options, found);
+  features.droppedEdges =
+    found.sidesOfNeedles + dropSmallFeatures(mesh, features.edges, options, found);
   if (const Index steps = dropSteps(mesh, features.edges, options, silent, found); steps > 0)
   {
     features.droppedEdges += steps + dropSmallFeatures(mesh, features.edges, options, found);

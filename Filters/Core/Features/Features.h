@@ -48,7 +48,7 @@ struct Features
   std::vector<Index> corners;      ///< points of the surface, ascending
   std::vector<Index> facetPatches; ///< F
   Index numberOfPatches = 1;
-  Index droppedEdges = 0; ///< creases too small for the spacing, and steps
+  Index droppedEdges = 0; ///< creases too small for the spacing, sides of needles, and steps
 
   bool any() const { return !this->curves.empty() || !this->corners.empty(); }
   bool isCut(Index facet, int k) const { return this->cuts[this->edges.facetEdges[facet][k]] != 0; }

@@ -49,7 +49,7 @@ public:
    *
    * @param control asked for cancellation; the tree of a cancelled run is of no use.
    * Cost: O(T), in parallel. About 32 bytes per triangle. The points and triangles are not copied:
-   * they must outlive the tree, and those that move or change are no longer found by it.
+   * they must outlive the tree. What is found of triangles that have changed since is of no use.
    */
   explicit TriangleTree(const Triangles& surface, const RunControl& control = RunControl());
 

@@ -159,7 +159,7 @@ bool isWorthMore(const FlipRepair& repair, const std::vector<Triple>& triangles)
  * Turns flipped triangles back by moving vertices, then with the places that vertices come to from
  * the centroids, if few are left.
  *
- * @param flipped then.
+ * @param flipped those that are left, where it went on from the centroids.
  */
 Status moveBack(const FlipTask& task, FlipSearch& search, std::vector<Triple>& triangles,
   Placement& placement, std::vector<Index>& flipped)

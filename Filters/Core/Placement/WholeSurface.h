@@ -13,8 +13,7 @@
 
 namespace remesh
 {
-/** Cost: O(F) to make, in parallel, and about 40 bytes a facet while it lives; the mesh must
- * outlive it. */
+/** The mesh must outlive it. Cost: O(F), in parallel, and about 40 bytes a facet. */
 class WholeSurface
 {
 public:

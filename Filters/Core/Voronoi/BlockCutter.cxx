@@ -1,7 +1,5 @@
 #include "Voronoi/BlockCutter.h"
 
-#include "Embedding/Distance.h"
-
 namespace remesh
 {
 template <int D>

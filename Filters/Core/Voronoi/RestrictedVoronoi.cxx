@@ -5,6 +5,7 @@
 #include "Voronoi/BlockCutter.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 namespace remesh
