@@ -107,10 +107,10 @@ public:
    * corners and bends need more than half of them, there is a warning. Curves close to each other
    * get more, up to nine tenths in all, or up to three fifths where much of the surface is far from
    * features; beyond that where cells reach from one to another, the topology fails, and no other
-   * points can be added for it. Creases that are small against the
-   * spacing of the points, or that zigzag and branch like noise, are not kept; neither are the
-   * sides of a triangle that stands out, but is less high than a fiftieth of the spacing, nor the
-   * low steps of voxels where they bend at more points than are asked for.
+   * points can be added for it. Creases that are small against the spacing of the points, or
+   * that zigzag and branch like noise, are not kept; neither are the sides of a triangle that
+   * stands out, but is less high than a fiftieth of the spacing, nor the low steps of voxels where
+   * they bend at more points than are asked for.
    *
    * Not with given initial sites.
    */

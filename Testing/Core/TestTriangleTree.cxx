@@ -114,6 +114,18 @@ void testSizes()
   CHECK_EQUAL(none.closest(Point3::Zero()).slot, noIndex);
 }
 
+/** At a million triangles, copies of the corners would be the larger part of the tree. */
+void testHoldsNoCorners()
+{
+  Surface surface(cube());
+  const TriangleTree tree(surface.view());
+  surface.points.front().x() += 1.0;
+  for (Index slot = 0; slot < tree.size(); ++slot)
+  {
+    CHECK(tree.cornersOf(slot) == surface.view().corners(tree.triangleOf(slot)));
+  }
+}
+
 /** Negative inside of the unit cube. */
 double signedDistanceToCube(const Point3& point)
 {
@@ -158,6 +170,7 @@ int TestTriangleTree(int, char*[])
   testMeeting(makeSoup({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
   testMeeting(tetrahedron());
   testMeeting(gridPatch(40, 30));
+  testHoldsNoCorners();
   testMeeting(torus(1.0, 0.3, 60, 25));
   testSizes();
   testSides();

@@ -129,9 +129,9 @@ std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edg
 }
 
 /**
- * The facet beyond the longest edge, if both have no normal, it is the longest of both, and the
- * other has the lower id; else the facet itself. Else they would take the normals of each other's
- * sides.
+ * Where a facet's way to a normal begins: at the facet itself, but for two without a normal whose
+ * longest edge is the same one. Both ways begin at the lower id; each from its own, they would
+ * cross, and the two facets take the normals from each other's sides.
  */
 Index firstOfPair(const EdgeTable& edges, const std::vector<FacetShape>& shapes, Index facet)
 {
