@@ -168,6 +168,27 @@ void testBands()
   CHECK_EQUAL(certificate.edges.size(), std::size_t(2)); // from border to border
 }
 
+RemeshResult remeshed(const TriangleSoup& soup, Offset n)
+{
+  SurfaceMesh mesh = test::meshOf(soup);
+  FeatureOptions featureOptions;
+  featureOptions.spacing = 0.1;
+  const Features features = findFeatures(mesh, featureOptions);
+  EmbeddedSurface surface = test::embedded(mesh, 6);
+  if (features.numberOfPatches > 1)
+  {
+    separatePatches(features.facetPatches, features.numberOfPatches, surface);
+  }
+  RemeshOptions options;
+  options.numberOfSites = n;
+  options.exactNumber = true;
+  options.lloydIterations = 2;
+  options.quasiNewton.iterations = 3;
+  RemeshResult result;
+  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result, &features).ok());
+  return result;
+}
+
 /** Along features: proven where the mesh is as it should be, with borders, creases and corners. */
 void testFeatures()
 {
@@ -179,28 +200,30 @@ void testFeatures()
   {
     for (const Offset n : { 30, 150, 400 })
     {
-      SurfaceMesh mesh = test::meshOf(soup);
-      FeatureOptions featureOptions;
-      featureOptions.spacing = 0.1;
-      const Features features = findFeatures(mesh, featureOptions);
-      EmbeddedSurface surface = test::embedded(mesh, 6);
-      if (features.numberOfPatches > 1)
-      {
-        separatePatches(features.facetPatches, features.numberOfPatches, surface);
-      }
-      RemeshOptions options;
-      options.numberOfSites = n;
-      options.exactNumber = true;
-      options.lloydIterations = 2;
-      options.quasiNewton.iterations = 3;
-      RemeshResult result;
-      CHECK(remesh::remesh(mesh, surface, options, RunControl(), result, &features).ok());
+      const RemeshResult result = remeshed(soup, n);
       const TopologyResult& topology = result.topology;
       CHECK(topology.preserved() || n < 100);
       CHECK(haveSameTopology(topology.surface, topology.mesh) || !topology.preserved());
       CHECK_EQUAL(topology.describe().empty(), topology.preserved());
       CHECK_EQUAL(result.components.count(), Index(n));
     }
+  }
+}
+
+/** Of surfaces that are pinched nothing is proven, but there is nothing to repair either. */
+void testPinches()
+{
+  TriangleSoup balls = test::icosphere(3);
+  test::append(balls, test::icosphere(3), 2.0 * balls.points[0]);
+  for (const TriangleSoup& soup :
+    { balls, test::patchWithHoles(9, { { 2, 2 }, { 3, 3 }, { 6, 5 } }) })
+  {
+    const RemeshResult result = remeshed(soup, 400);
+    const TopologyResult& topology = result.topology;
+    CHECK(!topology.preserved());
+    CHECK(topology.certificate.holds());
+    CHECK(haveSameTopology(topology.surface, topology.mesh));
+    CHECK_EQUAL(topology.mesh.nonManifoldPoints, 1);
   }
 }
 }
@@ -211,5 +234,6 @@ int TestCertificate(int, char*[])
   testBands();
   testRandomSites();
   testFeatures();
+  testPinches();
   return test::result();
 }

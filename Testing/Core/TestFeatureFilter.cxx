@@ -262,6 +262,23 @@ void testTouchingTip()
   }
 }
 
+/** Where parts of the surface meet in just a point, and nowhere else. */
+void testPinches()
+{
+  const auto pinchesOf = [](const TriangleSoup& soup)
+  {
+    SurfaceMesh mesh = test::meshOf(soup);
+    return findFeatures(mesh, FeatureOptions()).pinches;
+  };
+  CHECK(pinchesOf(test::cube()).empty());
+  CHECK(pinchesOf(test::threeSheets()).empty());
+  CHECK(pinchesOf(test::patchWithHoles(6, { { 1, 1 }, { 3, 3 } })).empty());
+  CHECK_EQUAL(pinchesOf(test::patchWithHoles(6, { { 1, 1 }, { 2, 2 } })).size(), std::size_t(1));
+  TriangleSoup balls = test::icosphere(2);
+  test::append(balls, test::icosphere(2), 2.0 * balls.points[0]);
+  CHECK_EQUAL(pinchesOf(balls).size(), std::size_t(1));
+}
+
 bool isInBall(int i, int j, int k)
 {
   return Point3(i - 14.5, j - 14.5, k - 14.5).norm() < 14.2;
@@ -360,6 +377,7 @@ int TestFeatureFilter(int, char*[])
   testPairOfNeedles();
   testThinBesideLow();
   testTouchingTip();
+  testPinches();
   testSteps();
   testBordersOfSteps();
   return test::result();

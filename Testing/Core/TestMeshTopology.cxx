@@ -17,23 +17,6 @@ MeshTopology topologyOf(const TriangleSoup& soup)
   return topology;
 }
 
-/** A grid patch without the squares (column, row) of two triangles each. */
-TriangleSoup patchWithHoles(int n, const std::vector<std::pair<int, int>>& holes)
-{
-  TriangleSoup soup = gridPatch(n, n);
-  std::vector<std::array<Offset, 3>> kept;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-  {
-    const std::pair<int, int> square(static_cast<int>(t / 2) % n, static_cast<int>(t / 2) / n);
-    if (std::find(holes.begin(), holes.end(), square) == holes.end())
-    {
-      kept.push_back(soup.triangles[t]);
-    }
-  }
-  soup.triangles = kept;
-  return soup;
-}
-
 void testClosed()
 {
   const MeshTopology box = topologyOf(cube());

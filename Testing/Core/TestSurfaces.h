@@ -95,6 +95,24 @@ TriangleSoup wrappedGrid(int nu, int nv, bool closedInV, const Place& place)
   return makeSoup(std::move(points), std::move(triangles));
 }
 
+/** A grid patch without the squares (column, row) of two triangles each. */
+inline TriangleSoup patchWithHoles(int n, const std::vector<std::pair<int, int>>& holes)
+{
+  TriangleSoup soup = gridPatch(n, n);
+  std::vector<std::array<Offset, 3>> kept;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+  {
+    const std::pair<int, int> square(static_cast<int>(t / 2) % n, static_cast<int>(t / 2) / n);
+    if (std::find(holes.begin(), holes.end(), square) == holes.end())
+    {
+      kept.push_back(soup.triangles[t]);
+    }
+  }
+  soup.triangles = kept;
+  soup.inputCells.resize(kept.size());
+  return soup;
+}
+
 /** Torus around z: nu x nv points, 2 nu nv triangles, outward, Euler characteristic 0. */
 inline TriangleSoup torus(double major, double minor, int nu, int nv)
 {

@@ -307,6 +307,20 @@ void shapeCollars(const Features& features, const FeatureSites& sites, Seams& se
   }
 }
 
+/** The feature points where the surface is pinched. */
+std::vector<Index> findPinches(const Features& features)
+{
+  std::vector<Index> pinches;
+  for (std::size_t p = 0; p < features.corners.size(); ++p) // the first feature points
+  {
+    if (std::binary_search(features.pinches.begin(), features.pinches.end(), features.corners[p]))
+    {
+      pinches.push_back(static_cast<Index>(p));
+    }
+  }
+  return pinches;
+}
+
 void addSegments(const Features& features, const FeatureSites& sites, Seams& seams)
 {
   for (std::size_t c = 0; c < sites.curvePoints.size(); ++c)
@@ -347,6 +361,7 @@ Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
   const Features& features = featured.features;
   Seams seams;
   seams.components = componentsOfPoints(diagram, components, featureSites);
+  seams.pinches = findPinches(features);
   shapeCollars(features, featureSites, seams);
   addSegments(features, featureSites, seams);
   Sewer sewer(diagram, components, featured, featureSites, sites, seams);

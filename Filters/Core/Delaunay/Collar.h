@@ -62,6 +62,7 @@ struct Seams
   std::vector<Intrusion> intrusions;    ///< of free sites, by curve, section, component; each once
   std::vector<Intrusion> encroachments; ///< of sites on features, in the same order
   std::vector<CollarShape> collars;     ///< of each feature point
+  std::vector<Index> pinches;           ///< feature points
   std::vector<Contact> contacts;        ///< edge by edge
   bool isComplete = true;               ///< each edge is covered by pieces from end to end
   /** Feature points on both sides of each point that parts them on the surface's border. */

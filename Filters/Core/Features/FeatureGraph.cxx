@@ -59,11 +59,10 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
 {
   const CreaseGraph graph = makeCreaseGraph(mesh, features.edges, features.kinds);
   std::vector<char> corners(mesh.points.size(), 0);
-  for (const Index point : features.corners)
+  for (const Index point : features.pinches)
   {
-    corners[point] = 1; // where fans touch
+    corners[point] = 1;
   }
-  features.corners.clear();
   for (Index p = 0; p < mesh.numberOfPoints(); ++p)
   {
     corners[p] = corners[p] || isCorner(features, graph, p);
@@ -97,19 +96,20 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
 
 namespace
 {
-/** Unites the corners of two facets at both ends of their common edge. */
-void joinFans(const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, DisjointSets& fans)
+/** The corners 3 f + k of two facets at the same ends of their common edge. */
+std::array<std::pair<Index, Index>, 2> cornersAtEnds(
+  const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, Index a, Index b)
 {
-  const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
-  const Index a = around[0];
-  const Index b = around[1];
   const int k = edges.sideOf(a, edge);
-  for (const int end : { k, (k + 1) % 3 })
+  std::array<std::pair<Index, Index>, 2> found;
+  for (int end = 0; end < 2; ++end)
   {
+    const int at = (k + end) % 3;
     const Triple& others = mesh.facetPoints[b];
-    const auto at = std::find(others.begin(), others.end(), mesh.facetPoints[a][end]);
-    fans.unite(3 * a + end, 3 * b + static_cast<Index>(at - others.begin()));
+    const auto across = std::find(others.begin(), others.end(), mesh.facetPoints[a][at]);
+    found[end] = { 3 * a + at, 3 * b + static_cast<Index>(across - others.begin()) };
   }
+  return found;
 }
 
 /** Facets joined by edges that are no features. */
@@ -147,11 +147,10 @@ void findCuts(Features& features)
   }
 }
 
-/** Numbers the corners as the facets meet them; returns how many fans each point has. */
-std::vector<Index> numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
+/** Numbers the corners as the facets meet them. */
+void numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
 {
   std::vector<Index> cornerOfFan(3 * mesh.facetPoints.size(), noIndex);
-  std::vector<Index> fansOfPoint(mesh.points.size(), 0);
   std::vector<Triple> corners = mesh.facetPoints;
   mesh.cornerPoints.clear();
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
@@ -163,7 +162,6 @@ std::vector<Index> numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
       {
         corner = mesh.numberOfCorners();
         mesh.cornerPoints.push_back(mesh.facetPoints[f][k]);
-        ++fansOfPoint[mesh.facetPoints[f][k]];
       }
       corners[f][k] = corner;
     }
@@ -173,7 +171,41 @@ std::vector<Index> numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
   {
     mesh.facetCorners = mesh.facetPoints; // held once
   }
-  return fansOfPoint;
+}
+
+/** The points with several corners that not all hang together across edges. */
+std::vector<Index> findPinches(const SurfaceMesh& mesh, const Features& features)
+{
+  DisjointSets joined(mesh.cornerPoints.size());
+  const EdgeTable& edges = features.edges;
+  for (Index e = 0; e < edges.numberOfEdges(); ++e)
+  {
+    const Index first = edges.edgeFacets[edges.edgeFacetsBegin[e]];
+    for (Index i = edges.edgeFacetsBegin[e] + 1;
+         features.cuts[e] && i < edges.edgeFacetsBegin[e + 1]; ++i)
+    {
+      const Index other = edges.edgeFacets[i];
+      for (const auto& [corner, across] : cornersAtEnds(mesh, edges, e, first, other))
+      {
+        joined.unite(
+          mesh.facetCorners[corner / 3][corner % 3], mesh.facetCorners[across / 3][across % 3]);
+      }
+    }
+  }
+  std::vector<Index> parts(mesh.points.size(), 0);
+  for (Index c = 0; c < mesh.numberOfCorners(); ++c)
+  {
+    parts[mesh.cornerPoints[c]] += joined.isLowest(c);
+  }
+  std::vector<Index> pinches;
+  for (Index p = 0; p < mesh.numberOfPoints(); ++p)
+  {
+    if (parts[p] > 1)
+    {
+      pinches.push_back(p);
+    }
+  }
+  return pinches;
 }
 }
 
@@ -186,31 +218,16 @@ void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
   {
     if (!features.cuts[e])
     {
-      joinFans(mesh, features.edges, e, fans);
-    }
-  }
-  const std::vector<Index> fansOfPoint = numberCorners(mesh, fans);
-  std::vector<Index> cutSides(mesh.points.size(), 0); // of facets
-  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (features.isCut(f, k))
+      const Index* around = features.edges.edgeFacets.data() + features.edges.edgeFacetsBegin[e];
+      for (const auto& [corner, across] :
+        cornersAtEnds(mesh, features.edges, e, around[0], around[1]))
       {
-        ++cutSides[mesh.facetPoints[f][k]];
-        ++cutSides[mesh.facetPoints[f][(k + 1) % 3]];
+        fans.unite(corner, across);
       }
     }
   }
-  // Each fan ends at two of them, and goes all round where there are none; unless shells touch in
-  // the point.
-  for (Index p = 0; p < mesh.numberOfPoints(); ++p)
-  {
-    if (fansOfPoint[p] > std::max(1, cutSides[p] / 2))
-    {
-      features.corners.push_back(p);
-    }
-  }
+  numberCorners(mesh, fans);
+  features.pinches = findPinches(mesh, features);
 }
 
 Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const RunControl& control)

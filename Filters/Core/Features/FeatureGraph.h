@@ -11,7 +11,8 @@ namespace remesh
 {
 /**
  * Strings the feature edges together. Corners are the points where not just two of them meet, two
- * of different kinds meet, or a curve turns sharply (by more than 60 degrees).
+ * of different kinds meet, a curve turns sharply (by more than 60 degrees), or the surface is
+ * pinched.
  *
  * Curves from corners come first, in the order of their corners and edges; then those without, in
  * the order of their edges. O(V + E).
@@ -22,8 +23,7 @@ void traceCurves(const SurfaceMesh& mesh, Features& features);
  * Finds the patches, and cuts the surface open between them: each fan of facets around a point,
  * joined by edges that are not cut, gets an embedded corner of its own (`facetCorners`,
  * `cornerPoints`), numbered as the facets meet them, and the facets get the ids of their patches
- * (parts of the surface that features enclose). Fans that touch in just a point make that point a
- * corner of the graph. O(F).
+ * (parts of the surface that features enclose). Points whose fans no edges join are pinches. O(F).
  */
 void cutAlongFeatures(SurfaceMesh& mesh, Features& features);
 

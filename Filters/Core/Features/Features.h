@@ -46,6 +46,7 @@ struct Features
   std::vector<char> cuts;
   std::vector<FeatureCurve> curves;
   std::vector<Index> corners;      ///< points of the surface, ascending
+  std::vector<Index> pinches;      ///< corners where parts of the surface meet in just the point
   std::vector<Index> facetPatches; ///< F
   Index numberOfPatches = 1;
   Index droppedEdges = 0; ///< creases too small for the spacing, sides of needles, and steps
