@@ -108,9 +108,10 @@ public:
    * get more, up to nine tenths in all, or up to three fifths where much of the surface is far from
    * features; beyond that where cells reach from one to another, the topology fails, and no other
    * points can be added for it. Creases that are small against the spacing of the points, or
-   * that zigzag and branch like noise, are not kept; neither are the sides of a triangle that
-   * stands out, but is less high than a fiftieth of the spacing, nor the low steps of voxels where
-   * they bend at more points than are asked for.
+   * that zigzag and branch like noise, are not kept; neither are the sides of needles, triangles
+   * that stand out, but are lower than a fiftieth of the spacing, or than a fifth of it and than an
+   * eighth of their longest side. Their normals do not count where normals are estimated. Nor are
+   * the low steps of voxels kept where they bend at more points than are asked for.
    *
    * Not with given initial sites.
    */

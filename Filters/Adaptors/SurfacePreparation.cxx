@@ -77,6 +77,7 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
   {
     return Status::cancelled();
   }
+  prepared.facetsWithoutNormal = std::move(features.facetsWithoutNormal);
   if (features.any() || features.numberOfPatches > 1)
   {
     prepared.features = std::move(features);
@@ -105,7 +106,8 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
   estimated = true;
   const int passes =
     request.smoothingRadius >= 0.0 ? 0 : std::max(0, request.normalSmoothingPasses);
-  prepared.normals = estimateCornerNormals(prepared.mesh, passes, control);
+  prepared.normals =
+    estimateCornerNormals(prepared.mesh, passes, control, prepared.facetsWithoutNormal);
   return Status::success();
 }
 

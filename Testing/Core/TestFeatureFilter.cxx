@@ -4,6 +4,7 @@
 
 #include "Features/FeatureGraph.h"
 #include "Mesh/NormalFlow.h"
+#include "Mesh/Normals.h"
 #include "Support/Random.h"
 #include "TestSupport.h"
 #include "TestSurfaces.h"
@@ -185,16 +186,72 @@ void testNeedles()
     const Features features = findFeatures(mesh, options);
     return std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease);
   };
-  constexpr double low = 0.001;
-  constexpr double high = 0.01;
+  constexpr double lowest = 0.001;
+  constexpr double low = 0.015;
+  constexpr double high = 0.025;
+  const auto folded = [](double height) { return Point3(0.4, -0.98 * height, 0.17 * height); };
+  const auto risen = [](double height) { return Point3(0.4, -0.5 * height, 0.87 * height); };
   for (const double spacing : { 0.0, 0.1 })
   {
     const bool sees = spacing == 0.0;
-    CHECK_EQUAL(creasesOf(0.0, { 0.4, -0.5 * low, 0.87 * low }, spacing), sees ? 3 : 0);
-    CHECK_EQUAL(creasesOf(0.0, { 0.4, -0.5 * high, 0.87 * high }, spacing), 3);
-    CHECK_EQUAL(creasesOf(1.0, { 0.4, 0.0, low }, spacing), sees ? 3 : 2);
-    CHECK_EQUAL(creasesOf(1.0, { 0.4, 0.0, high }, spacing), 3);
+    CHECK_EQUAL(creasesOf(0.0, risen(lowest), spacing), sees ? 3 : 0);
+    CHECK_EQUAL(creasesOf(0.0, risen(low), spacing), sees ? 3 : 0);
+    CHECK_EQUAL(creasesOf(0.0, risen(high), spacing), 3);
+    CHECK_EQUAL(creasesOf(0.0, folded(lowest), spacing), sees ? 3 : 0);
+    CHECK_EQUAL(creasesOf(0.0, folded(low), spacing), 3);
+    CHECK_EQUAL(creasesOf(1.0, { 0.4, 0.0, lowest }, spacing), sees ? 3 : 2);
+    CHECK_EQUAL(creasesOf(1.0, { 0.4, 0.0, low }, spacing), 3); // between its neighbours' normals
   }
+}
+
+/** What is low but not long stands out as well, and stays. */
+void testStubs()
+{
+  const auto creasesOf = [](double height)
+  {
+    const SurfaceMesh mesh = test::meshOf(test::makeSoup(
+      { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 0 }, { 0.5, 0, height } },
+      { { 0, 1, 4 }, { 0, 4, 2 }, { 4, 1, 2 }, { 1, 0, 3 } }));
+    FeatureOptions options;
+    options.spacing = 2.0;
+    const FeatureEdges found =
+      findFeatureEdges(mesh, buildEdgeTable(mesh.facetPoints), options, RunControl());
+    CHECK_EQUAL(found.withoutNormal.size(), std::size_t(found.sidesOfNeedles > 0));
+    return std::count(found.kinds.begin(), found.kinds.end(), FeatureKind::Crease);
+  };
+  CHECK_EQUAL(creasesOf(0.15), 3);
+  CHECK_EQUAL(creasesOf(0.1), 0);
+}
+
+/** Normals are those of the surface without its needles. */
+void testNormalsBesideNeedles()
+{
+  TriangleSoup soup = test::gridPatch(4, 4);
+  // The edge between two triangles opens to a flap.
+  const std::array<Offset, 3> opened = soup.triangles[14];
+  soup.points.push_back(
+    0.5 * (soup.points[opened[0]] + soup.points[opened[1]]) + Point3(0, 0, 0.01));
+  const auto flap = static_cast<Offset>(soup.points.size()) - 1;
+  soup.triangles[14] = { opened[0], flap, opened[2] };
+  soup.triangles.push_back({ flap, opened[1], opened[2] });
+  soup.triangles.push_back({ opened[0], opened[1], flap });
+  soup.inputCells.resize(soup.triangles.size());
+  SurfaceMesh mesh = test::meshOf(soup);
+  FeatureOptions options;
+  options.spacing = 0.1;
+  const Features features = findFeatures(mesh, options);
+  CHECK_EQUAL(features.facetsWithoutNormal.size(), std::size_t(1));
+  const auto leastOf = [&](const std::vector<Index>& leftOut)
+  {
+    double least = 1.0;
+    for (const Point3& normal : estimateCornerNormals(mesh, 0, RunControl(), leftOut))
+    {
+      least = std::min(least, std::abs(normal.z()));
+    }
+    return least;
+  };
+  CHECK(leastOf({}) < 0.98);
+  CHECK(leastOf(features.facetsWithoutNormal) > 0.99);
 }
 
 Features featuresOf(
@@ -374,6 +431,8 @@ int TestFeatureFilter(int, char*[])
   testBox();
   testSlivers();
   testNeedles();
+  testStubs();
+  testNormalsBesideNeedles();
   testPairOfNeedles();
   testThinBesideLow();
   testTouchingTip();

@@ -13,6 +13,9 @@ namespace
 {
 constexpr int mostSteps = 8;          // over thin facets, to one with a normal
 constexpr double needleHeight = 0.02; // of the spacing, at most
+constexpr double flapHeight = 0.2;    // of the spacing, at most
+constexpr double flapShape = 0.125;   // height, of the longest side, at most
+constexpr double cosineOfFold = -0.7; // of what is turned back, and no flap
 
 double cosineOf(double degrees)
 {
@@ -109,19 +112,49 @@ bool isNeedle(const SurfaceMesh& mesh, const EdgeTable& edges,
   return !shape.thin;
 }
 
+/**
+ * Whether a needle is slender, the facets beyond its long sides agree better with each other than
+ * with it, and it is not turned back from both. Where the surface rolls or folds up, it is
+ * otherwise.
+ */
+bool isFlap(const SurfaceMesh& mesh, const EdgeTable& edges, const std::vector<FacetShape>& shapes,
+  Index needle)
+{
+  const FacetShape& shape = shapes[needle];
+  const int longest = shape.longestBut(-1);
+  if (shape.height >= flapShape * shape.lengths[longest])
+  {
+    return false;
+  }
+  const auto normalBeyond = [&](int side)
+  {
+    const Index edge = edges.facetEdges[needle][side];
+    const Index other = beyond(edges, edge, needle);
+    return opposed(mesh, edges, edge, needle, other) ? Point3(-shapes[other].normal)
+                                                     : shapes[other].normal;
+  };
+  const Point3 first = normalBeyond(longest);
+  const Point3 second = normalBeyond(shape.longestBut(longest));
+  const double nearer = std::max(shape.normal.dot(first), shape.normal.dot(second));
+  return first.dot(second) > nearer && nearer > cosineOfFold;
+}
+
 std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control)
 {
   const double least = leastHeight(mesh);
-  const double highest = needleHeight * options.spacing;
+  const double lowest = needleHeight * options.spacing;
+  const double highest = flapHeight * options.spacing;
   const double leastCosine = cosineOf(options.angleDegrees);
   std::vector<FacetShape> shapes(mesh.facetPoints.size());
   const auto count = static_cast<Offset>(shapes.size());
   const auto findShape = [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), least); };
   const auto findNeedle = [&](Offset f)
   {
-    shapes[f].needle = shapes[f].height < highest &&
-      isNeedle(mesh, edges, shapes, leastCosine, static_cast<Index>(f));
+    FacetShape& shape = shapes[f];
+    const auto facet = static_cast<Index>(f);
+    shape.needle = shape.height < highest && isNeedle(mesh, edges, shapes, leastCosine, facet) &&
+      (shape.height < lowest || isFlap(mesh, edges, shapes, facet));
   };
   static_cast<void>(
     forEachItem(count, control, findShape) && forEachItem(count, control, findNeedle));
@@ -182,6 +215,13 @@ FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const double flat = cosineOf(weakShare * options.angleDegrees);
   const double leastCosine = cosineOf(options.angleDegrees);
   FeatureEdges features;
+  for (std::size_t f = 0; f < shapes.size(); ++f)
+  {
+    if (!shapes[f].hasNormal())
+    {
+      features.withoutNormal.push_back(static_cast<Index>(f));
+    }
+  }
   features.kinds.resize(static_cast<std::size_t>(edges.numberOfEdges()));
   features.angles.resize(features.kinds.size(), 0.0F);
   const auto findKind = [&](Offset item)

@@ -26,16 +26,20 @@ struct FeatureEdges
   /** E, between the facets' normals, radians; 0 below `weakShare` of the angle, and at other edges.
    */
   std::vector<float> angles;
-  Index sidesOfNeedles = 0; ///< that are left out, see findFeatureEdges
+  Index sidesOfNeedles = 0;         ///< that are left out, see findFeatureEdges
+  std::vector<Index> withoutNormal; ///< facets, ascending, see findFeatureEdges
 };
 
 /**
  * The kind of each edge. Some facets have no normal of their own: those thinner than what single
- * precision resolves (1e-6 of the bounding-box diagonal), and those thinner than a fiftieth of the
- * spacing that would be creases along both long sides (needles), which points so far apart cannot
- * follow. They take the normal of the facet beyond their longest edge, and on from there if that
- * has none either; two that meet in the longest edge of both, the same. Where none is found within
- * a few facets, they keep their own. O(F), in parallel. Of no use when cancelled.
+ * precision resolves (1e-6 of the bounding-box diagonal), and needles, whose normals make creases
+ * of both their long sides, though points at this spacing cannot follow them:
+ * - facets lower than a fiftieth of the spacing;
+ * - flaps: facets lower than a fifth of it and than an eighth of their longest side, where those
+ *   beyond the long sides agree better with each other than with it.
+ * They take the normal of the facet beyond their longest edge, and on from there if that has none
+ * either; two that meet in the longest edge of both, the same. Where none is found within a few
+ * facets, they keep their own. O(F), in parallel. Of no use when cancelled.
  */
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control);

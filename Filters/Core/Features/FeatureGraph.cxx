@@ -252,6 +252,7 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
   }
   bridgeGaps(mesh, features.edges, options, found);
   features.kinds = std::move(found.kinds);
+  features.facetsWithoutNormal = std::move(found.withoutNormal);
   if (control.cancelled())
   {
     return features;

@@ -49,6 +49,7 @@ struct Features
   std::vector<Index> pinches;      ///< corners where parts of the surface meet in just the point
   std::vector<Index> facetPatches; ///< F
   Index numberOfPatches = 1;
+  std::vector<Index> facetsWithoutNormal; ///< of their own, ascending: needles, and thinner ones
   Index droppedEdges = 0; ///< creases too small for the spacing, sides of needles, and steps
 
   bool any() const { return !this->curves.empty() || !this->corners.empty(); }

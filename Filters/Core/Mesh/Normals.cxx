@@ -62,12 +62,18 @@ Point3 normalOf(const SurfaceMesh& mesh, std::size_t facet)
   return facetNormal(mesh.points[a], mesh.points[b], mesh.points[c]);
 }
 
-std::vector<Point3> angleWeightedNormals(const SurfaceMesh& mesh)
+std::vector<Point3> angleWeightedNormals(const SurfaceMesh& mesh, const std::vector<Index>& leftOut)
 {
   std::vector<Point3> normals(mesh.cornerPoints.size(), Point3::Zero());
   std::vector<double> angleSums(normals.size(), 0.0);
+  auto next = leftOut.begin();
   for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
   {
+    if (next != leftOut.end() && *next == static_cast<Index>(f))
+    {
+      ++next;
+      continue;
+    }
     const FacetShare share = facetShare(mesh, f);
     for (int k = 0; k < 3; ++k)
     {
@@ -276,9 +282,9 @@ Status checkInputNormals(const SurfaceMesh& mesh, const std::vector<Point3>& inp
 }
 
 std::vector<Point3> estimateCornerNormals(
-  const SurfaceMesh& mesh, int passes, const RunControl& control)
+  const SurfaceMesh& mesh, int passes, const RunControl& control, const std::vector<Index>& leftOut)
 {
-  std::vector<Point3> normals = angleWeightedNormals(mesh);
+  std::vector<Point3> normals = angleWeightedNormals(mesh, leftOut);
   if (passes <= 0 || normals.empty())
   {
     return normals;

@@ -16,12 +16,13 @@ namespace remesh
  *
  * @param passes smoothing passes, >= 0. Parallel.
  * @param control reports the passes; when it cancels, the passes done so far are returned.
- * @return C unit vectors; a corner without direction (facets that cancel out) gets the normal of
- *         its first facet.
+ * @param leftOut facets, ascending, that do not count.
+ * @return C unit vectors; a corner without direction (facets that cancel out, or none that counts)
+ *         gets the normal of its first facet.
  * Cost: O(F) per pass. Deterministic.
  */
-std::vector<Point3> estimateCornerNormals(
-  const SurfaceMesh& mesh, int passes, const RunControl& control = RunControl());
+std::vector<Point3> estimateCornerNormals(const SurfaceMesh& mesh, int passes,
+  const RunControl& control = RunControl(), const std::vector<Index>& leftOut = {});
 
 /**
  * The caller's normals: at each corner the normalised mean of the distinct input points merged
