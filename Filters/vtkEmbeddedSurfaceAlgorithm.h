@@ -100,7 +100,7 @@ public:
    * 0: they are not. Below 0, default -1: as `NormalSmoothingPasses` tells, which a radius
    * overrides. What vtkAnisotropicRemesher took the field data of its mesh tells
    * (`NormalSmoothingRadius`): with that, other filters work on the same surface in R^d, but for
-   * features, along which it alone cuts.
+   * features, along which it alone cuts, and needles, whose normals it alone leaves out.
    */
   vtkSetClampMacro(NormalSmoothingRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NormalSmoothingRadius, double);

@@ -7,7 +7,6 @@
 #include "Features/FeatureGraph.h"
 #include "Mesh/Extent.h"
 #include "Mesh/NormalFlow.h"
-#include "Mesh/Normals.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
@@ -72,12 +71,11 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
       return status;
     }
   }
-  Features features = findFeatures(prepared.mesh, options, control);
+  Features features = findFeatures(prepared.mesh, options, control, &prepared.borrowedNormals);
   if (control.cancelled())
   {
     return Status::cancelled();
   }
-  prepared.facetsWithoutNormal = std::move(features.facetsWithoutNormal);
   if (features.any() || features.numberOfPatches > 1)
   {
     prepared.features = std::move(features);
@@ -107,7 +105,7 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
   const int passes =
     request.smoothingRadius >= 0.0 ? 0 : std::max(0, request.normalSmoothingPasses);
   prepared.normals =
-    estimateCornerNormals(prepared.mesh, passes, control, prepared.facetsWithoutNormal);
+    estimateCornerNormals(prepared.mesh, passes, control, prepared.borrowedNormals);
   return Status::success();
 }
 

@@ -8,6 +8,7 @@
 #include "Embedding/Embedding.h"
 #include "Features/Features.h"
 #include "Mesh/Intake.h"
+#include "Mesh/Normals.h"
 
 #include <limits>
 #include <optional>
@@ -54,8 +55,8 @@ struct PreparedSurface
 {
   SurfaceMesh mesh;
   IntakeReport intake;
-  std::vector<Index> facetsWithoutNormal; ///< of their own, where features were looked for
-  std::vector<Point3> normals;            ///< C, unit; before the smoothing over the spacing
+  std::vector<FacetNormal> borrowedNormals; ///< of facets that have none of their own
+  std::vector<Point3> normals;              ///< C, unit; before the smoothing over the spacing
   /** Of that smoothing, in the unit of the points; 0: none. Where estimated normals count. */
   std::optional<double> smoothingRadius;
   CornerCoordinates coordinates; ///< C x d, the caller's units; empty where not to be kept

@@ -1,5 +1,5 @@
 // Delaunay/Certificate: holds only where the dual has the surface's topology, counts what fails by
-// the definition, and holds where there are enough sites.
+// the definition, and holds where there are enough sites; at pinches, where each sheet is right.
 
 #include "Comparison/MeshTopology.h"
 #include "Delaunay/CellDisks.h"
@@ -224,7 +224,26 @@ void testPinches()
     CHECK(topology.certificate.holds());
     CHECK(haveSameTopology(topology.surface, topology.mesh));
     CHECK_EQUAL(topology.mesh.nonManifoldPoints, 1);
+    CHECK_EQUAL(result.components.count(), Index(400)); // none more were tried
   }
+  // A cell all around a tube is none of two disks.
+  const TriangleSoup tube = test::torus(1.0, 0.05, 60, 16);
+  TriangleSoup tubes = tube;
+  test::append(tubes, tube, Point3(2.1, 0, 0));
+  for (std::size_t k = tube.points.size(); k < tubes.points.size(); ++k)
+  {
+    Point3& point = tubes.points[k];
+    point = (point - tubes.points[0]).norm() < 1e-9 ? tubes.points[0] : point;
+  }
+  const RemeshResult few = remeshed(tubes, 16);
+  CHECK_EQUAL(few.seams.pinches.size(), std::size_t(1));
+  if (few.seams.pinches.empty())
+  {
+    return;
+  }
+  const Index cell = few.seams.components[few.seams.pinches[0].point];
+  const std::vector<Index>& failing = few.topology.certificate.cells;
+  CHECK(std::binary_search(failing.begin(), failing.end(), cell));
 }
 }
 

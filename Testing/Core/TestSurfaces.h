@@ -113,6 +113,21 @@ inline TriangleSoup patchWithHoles(int n, const std::vector<std::pair<int, int>>
   return soup;
 }
 
+/** A flat patch, in which the edge between two triangles opens to a flap that stands up. */
+inline TriangleSoup patchWithFlap()
+{
+  TriangleSoup soup = gridPatch(4, 4);
+  const std::array<Offset, 3> opened = soup.triangles[14];
+  const auto tip = static_cast<Offset>(soup.points.size());
+  soup.points.push_back(
+    0.5 * (soup.points[opened[0]] + soup.points[opened[1]]) + Point3(0, 0, 0.01));
+  soup.triangles[14] = { opened[0], tip, opened[2] };
+  soup.triangles.push_back({ tip, opened[1], opened[2] });
+  soup.triangles.push_back({ opened[0], opened[1], tip });
+  soup.inputCells.resize(soup.triangles.size());
+  return soup;
+}
+
 /** Torus around z: nu x nv points, 2 nu nv triangles, outward, Euler characteristic 0. */
 inline TriangleSoup torus(double major, double minor, int nu, int nv)
 {

@@ -1,6 +1,6 @@
 // Over which distance estimated normals are smoothed: farther where cells would fall apart, not at
 // all where that flattens bends along one direction alone, and the same for other filters that are
-// told.
+// told. Needles are left out.
 
 #include "TestMeasures.h"
 
@@ -190,6 +190,28 @@ void testSharp()
   const double smoothed = usualRadius(rippled, 600);
   CHECK_NEAR(radiusOf(meshOf(rippled, -1.0)), smoothed, 1e-6 * smoothed);
 }
+
+/** A needle's normal is not among the estimated ones, but where no features are looked for. */
+void testNeedle()
+{
+  const auto leastNormal = [](bool preserveFeatures)
+  {
+    const auto remesher = remesherOf(polyDataOf(patchWithFlap()), 0.02);
+    remesher->SetNumberOfPoints(100);
+    remesher->SetNormalSmoothingPasses(0);
+    remesher->SetPreserveFeatures(preserveFeatures);
+    remesher->Update();
+    vtkDataArray* normals = remesher->GetOutput()->GetPointData()->GetNormals();
+    double least = 1.0;
+    for (vtkIdType k = 0; k < normals->GetNumberOfTuples(); ++k)
+    {
+      least = std::min(least, normals->GetComponent(k, 2));
+    }
+    return least;
+  };
+  CHECK(leastNormal(true) > 0.999);
+  CHECK(leastNormal(false) < 0.99);
+}
 }
 
 int TestNormalSmoothing(int, char*[])
@@ -201,5 +223,6 @@ int TestNormalSmoothing(int, char*[])
   testHopeless();
   testSharp();
   testSmoothedAfterAll();
+  testNeedle();
   return result();
 }

@@ -35,6 +35,7 @@ public:
     , m_firstFacets(static_cast<std::size_t>(surface.numberOfCorners()))
     , m_onBorder(static_cast<std::size_t>(surface.numberOfCorners()), 0)
     , m_inSeam(static_cast<std::size_t>(components.count()), 0)
+    , m_isPinched(m_inSeam.size(), 0)
     , m_hasCollar(m_inSeam.size(), 0)
     , m_fromCollar(m_inSeam.size(), 0)
   {
@@ -82,7 +83,8 @@ public:
       ofOneSite =
         ofOneSite && m_diagram.sites[piece] == m_diagram.sites[m_components.pieces[begin]];
     }
-    return sum == whole && ((ofOneSite && !m_inSeam[component]) || this->isConnected(component));
+    const Index parts = ofOneSite && !m_inSeam[component] ? 1 : this->countParts(component);
+    return sum == whole * parts && (parts == 1 || m_isPinched[component]);
   }
 
 private:
@@ -101,6 +103,13 @@ private:
         m_inSeam[component] = 1;
         m_hasCollar[component] = shape != CollarShape::None;
         m_fromCollar[component] += shape == CollarShape::Disk ? whole : 0;
+      }
+    }
+    for (const Pinch& pinch : m_seams->pinches)
+    {
+      if (const Index component = m_seams->components[pinch.point]; component != noIndex)
+      {
+        m_isPinched[component] = 1;
       }
     }
     for (const Contact& contact : m_seams->contacts)
@@ -151,7 +160,7 @@ private:
   }
 
   /** Walks from piece to piece, and through the collar. */
-  bool isConnected(Index component) const
+  Index countParts(Index component) const
   {
     const auto begin = m_components.pieces.begin() + m_components.pieceBegin[component];
     const auto end = m_components.pieces.begin() + m_components.pieceBegin[component + 1];
@@ -193,7 +202,7 @@ private:
     {
       parts += sets.isLowest(k);
     }
-    return parts == 1;
+    return parts;
   }
 
   const EmbeddedSurface& m_surface;
@@ -204,6 +213,7 @@ private:
   LowestItems m_firstFacets;
   std::vector<char> m_onBorder; ///< corners on edges of one facet
   std::vector<char> m_inSeam;   ///< components of vertices on features
+  std::vector<char> m_isPinched;
   std::vector<char> m_hasCollar;
   std::vector<Index> m_fromCollar; ///< components: what the collar adds
   std::vector<Index> m_contacts;   ///< pieces that meet their own collar, ascending

@@ -12,7 +12,8 @@ namespace remesh
 {
 /**
  * For each component, whether it is connected and has Euler characteristic 1, its stretches of the
- * collar included (see Certificate.h). That it borders on another one is left to the caller.
+ * collar included (see Certificate.h); at a pinch, whether all parts of it together have 1 for
+ * each. That it borders on another one is left to the caller.
  *
  * @param edges of the surface as it is embedded (cut open along features), of two facets at most,
  *        and no point of it in two fans of facets.

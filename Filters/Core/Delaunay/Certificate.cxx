@@ -75,18 +75,21 @@ std::vector<Pair> findCrowded(const Seams* seams)
   return crowded;
 }
 
-/** Whether each vertex may be no disk: the surface is none there. */
-std::vector<char> findPinched(const Seams* seams, Index numberOfVertices)
+/** How often the border of the surface may pass from each vertex to another. */
+std::vector<Index> mostCrossings(const Seams* seams, Index numberOfVertices)
 {
-  std::vector<char> pinched(static_cast<std::size_t>(numberOfVertices), 0);
-  for (std::size_t k = 0; seams && k < seams->pinches.size(); ++k)
+  std::vector<Index> most(static_cast<std::size_t>(numberOfVertices), 2);
+  if (seams)
   {
-    if (const Index vertex = seams->components[seams->pinches[k]]; vertex != noIndex)
+    for (const Pinch& pinch : seams->pinches)
     {
-      pinched[vertex] = 1;
+      if (const Index vertex = seams->components[pinch.point]; vertex != noIndex)
+      {
+        most[vertex] = std::max(most[vertex], pinch.borders);
+      }
     }
   }
-  return pinched;
+  return most;
 }
 
 /** Step 3: each edge has two ends, at most one of them on the border. */
@@ -118,9 +121,9 @@ void checkEdges(const std::vector<EdgeValence>& odd, const std::vector<Pair>& cr
   sortUnique(certificate.edges);
 }
 
-/** Step 2, and what was found of step 1; of cells at pinches only that they are used. */
+/** Step 2, and what was found of step 1. */
 void checkCells(const std::vector<char>& isDisk, const std::vector<Triple>& triangles,
-  const std::vector<Pair>& crossings, const std::vector<char>& pinched, Certificate& certificate)
+  const std::vector<Pair>& crossings, const std::vector<Index>& mostEnds, Certificate& certificate)
 {
   std::vector<char> used(isDisk.size(), 0);
   for (const Triple& triangle : triangles)
@@ -135,8 +138,7 @@ void checkCells(const std::vector<char>& isDisk, const std::vector<Triple>& tria
   }
   for (std::size_t k = 0; k < isDisk.size(); ++k)
   {
-    const bool isBroken = !isDisk[k] || ends[k] > 2;
-    if (!used[k] || (isBroken && !pinched[k]))
+    if (!isDisk[k] || !used[k] || ends[k] > mostEnds[k])
     {
       certificate.cells.push_back(static_cast<Index>(k));
     }
@@ -164,17 +166,17 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
   }
   const std::vector<Pair> crossings = findCrossings(edges, diagram, components, seams);
   const std::vector<Pair> crowded = findCrowded(seams);
-  const std::vector<char> pinched = findPinched(seams, components.count());
+  const std::vector<Index> mostEnds = mostCrossings(seams, components.count());
   if (dual.repeated.empty())
   {
-    checkCells(isDisk, dual.triangles, crossings, pinched, certificate);
+    checkCells(isDisk, dual.triangles, crossings, mostEnds, certificate);
     checkEdges(dual.edges.irregular, crossings, crowded, certificate);
   }
   else
   {
     std::vector<Triple> meetings = dual.triangles;
     meetings.insert(meetings.end(), dual.repeated.begin(), dual.repeated.end());
-    checkCells(isDisk, meetings, crossings, pinched, certificate);
+    checkCells(isDisk, meetings, crossings, mostEnds, certificate);
     checkEdges(countEdgeValences(meetings, components.count(), silent).irregular, crossings,
       crowded, certificate);
   }

@@ -307,15 +307,24 @@ void shapeCollars(const Features& features, const FeatureSites& sites, Seams& se
   }
 }
 
-/** The feature points where the surface is pinched. */
-std::vector<Index> findPinches(const Features& features)
+std::vector<Pinch> listPinches(const Features& features, const FeatureSites& sites)
 {
-  std::vector<Index> pinches;
+  std::vector<Index> borders(features.corners.size(), 0);
+  for (std::size_t c = 0; c < features.curves.size(); ++c)
+  {
+    const FeatureCurve& curve = features.curves[c];
+    if (curve.kind == FeatureKind::Boundary && curve.hasCorners)
+    {
+      ++borders[sites.curvePoints[c].front()];
+      ++borders[sites.curvePoints[c].back()];
+    }
+  }
+  std::vector<Pinch> pinches;
   for (std::size_t p = 0; p < features.corners.size(); ++p) // the first feature points
   {
     if (std::binary_search(features.pinches.begin(), features.pinches.end(), features.corners[p]))
     {
-      pinches.push_back(static_cast<Index>(p));
+      pinches.push_back({ static_cast<Index>(p), borders[p] });
     }
   }
   return pinches;
@@ -361,7 +370,7 @@ Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
   const Features& features = featured.features;
   Seams seams;
   seams.components = componentsOfPoints(diagram, components, featureSites);
-  seams.pinches = findPinches(features);
+  seams.pinches = listPinches(features, featureSites);
   shapeCollars(features, featureSites, seams);
   addSegments(features, featureSites, seams);
   Sewer sewer(diagram, components, featured, featureSites, sites, seams);

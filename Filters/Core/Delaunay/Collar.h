@@ -54,6 +54,13 @@ struct Contact
   Index innerEnds; ///< of the two, those around which there is nothing but this component
 };
 
+/** A feature point where the surface is pinched. */
+struct Pinch
+{
+  Index point;
+  Index borders; ///< edges of the surface's border there
+};
+
 struct Seams
 {
   std::vector<Index> components;        ///< of each feature point, or noIndex where it has no cell
@@ -62,7 +69,7 @@ struct Seams
   std::vector<Intrusion> intrusions;    ///< of free sites, by curve, section, component; each once
   std::vector<Intrusion> encroachments; ///< of sites on features, in the same order
   std::vector<CollarShape> collars;     ///< of each feature point
-  std::vector<Index> pinches;           ///< feature points
+  std::vector<Pinch> pinches;           ///< ascending
   std::vector<Contact> contacts;        ///< edge by edge
   bool isComplete = true;               ///< each edge is covered by pieces from end to end
   /** Feature points on both sides of each point that parts them on the surface's border. */

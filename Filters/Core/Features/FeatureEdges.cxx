@@ -12,10 +12,15 @@ namespace remesh
 namespace
 {
 constexpr int mostSteps = 8;          // over thin facets, to one with a normal
-constexpr double needleHeight = 0.02; // of the spacing, at most
-constexpr double flapHeight = 0.2;    // of the spacing, at most
-constexpr double flapShape = 0.125;   // height, of the longest side, at most
-constexpr double cosineOfFold = -0.7; // of what is turned back, and no flap
+constexpr double needleHeight = 0.02; // of the spacing, below
+/**
+ * Flaps. Between their sides points would be as close to each other as these are, eight to a side
+ * or more. Strips of facets are none, as rims of thin plates: their diagonals are no creases.
+ */
+constexpr double flapHeight = 0.2;           // of the spacing, below
+constexpr double flapSlenderness = 0.125;    // height, of the longest side, below
+constexpr double leastAgreement = 0.1;       // of cosines; ridges with two like sides have none
+constexpr double cosineOfTurningBack = -0.7; // a surface that folds up, to and fro
 
 double cosineOf(double degrees)
 {
@@ -30,6 +35,10 @@ struct FacetShape
   bool thin;     ///< too thin for its normal to mean anything
   bool needle = false;
 
+  bool isSlender() const
+  {
+    return this->height < flapSlenderness * this->lengths[this->longestBut(-1)];
+  }
   bool hasNormal() const { return !this->thin && !this->needle; }
 
   /** The longest edge, but for one. */
@@ -92,51 +101,54 @@ double cosineBetween(const SurfaceMesh& mesh, const EdgeTable& edges, Index edge
   return opposed(mesh, edges, edge, around[0], around[1]) ? -cosine : cosine;
 }
 
-/** Whether a facet's normal makes a crease of each of its long sides. */
-bool isNeedle(const SurfaceMesh& mesh, const EdgeTable& edges,
-  const std::vector<FacetShape>& shapes, double leastCosine, Index facet)
+/** The normals beyond the long sides of a facet, turned as its own; none where one has none. */
+struct NormalsBeside
+{
+  std::array<Point3, 3> normals;
+  int count = 0;
+};
+
+NormalsBeside normalsBeside(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const std::vector<FacetShape>& shapes, Index facet)
 {
   const FacetShape& shape = shapes[facet];
   const double second = shape.lengths[shape.longestBut(shape.longestBut(-1))];
+  NormalsBeside beside;
   for (int side = 0; side < 3; ++side)
   {
+    if (shape.lengths[side] < second)
+    {
+      continue;
+    }
     const Index edge = edges.facetEdges[facet][side];
     const Index other = beyond(edges, edge, facet);
-    if (shape.lengths[side] >= second &&
-      (other == noIndex || shapes[other].thin ||
-        cosineBetween(mesh, edges, edge, shape.normal, shapes[other].normal) >= leastCosine))
+    if (other == noIndex || shapes[other].thin)
     {
-      return false;
+      return {};
     }
+    const double sign = opposed(mesh, edges, edge, facet, other) ? -1.0 : 1.0;
+    beside.normals[beside.count++] = sign * shapes[other].normal;
   }
-  return !shape.thin;
+  return beside;
 }
 
 /**
- * Whether a needle is slender, the facets beyond its long sides agree better with each other than
- * with it, and it is not turned back from both. Where the surface rolls or folds up, it is
- * otherwise.
+ * Whether a facet that makes creases of its long sides stands out of facets that agree with each
+ * other. Where a surface rolls or folds up, each stands out of the next.
+ *
+ * @param nearest the largest of the cosines to them.
  */
-bool isFlap(const SurfaceMesh& mesh, const EdgeTable& edges, const std::vector<FacetShape>& shapes,
-  Index needle)
+bool isFlap(const FacetShape& shape, const NormalsBeside& beside, double nearest)
 {
-  const FacetShape& shape = shapes[needle];
-  const int longest = shape.longestBut(-1);
-  if (shape.height >= flapShape * shape.lengths[longest])
+  double agreement = 1.0;
+  for (int k = 1; k < beside.count; ++k)
   {
-    return false;
+    for (int l = 0; l < k; ++l)
+    {
+      agreement = std::min(agreement, beside.normals[k].dot(beside.normals[l]));
+    }
   }
-  const auto normalBeyond = [&](int side)
-  {
-    const Index edge = edges.facetEdges[needle][side];
-    const Index other = beyond(edges, edge, needle);
-    return opposed(mesh, edges, edge, needle, other) ? Point3(-shapes[other].normal)
-                                                     : shapes[other].normal;
-  };
-  const Point3 first = normalBeyond(longest);
-  const Point3 second = normalBeyond(shape.longestBut(longest));
-  const double nearer = std::max(shape.normal.dot(first), shape.normal.dot(second));
-  return first.dot(second) > nearer && nearer > cosineOfFold;
+  return shape.isSlender() && agreement > nearest + leastAgreement && nearest > cosineOfTurningBack;
 }
 
 std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edges,
@@ -152,9 +164,19 @@ std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edg
   const auto findNeedle = [&](Offset f)
   {
     FacetShape& shape = shapes[f];
-    const auto facet = static_cast<Index>(f);
-    shape.needle = shape.height < highest && isNeedle(mesh, edges, shapes, leastCosine, facet) &&
-      (shape.height < lowest || isFlap(mesh, edges, shapes, facet));
+    const bool isLow = shape.height < lowest;
+    if (shape.thin || !(isLow || (shape.height < highest && shape.isSlender())))
+    {
+      return;
+    }
+    const NormalsBeside beside = normalsBeside(mesh, edges, shapes, static_cast<Index>(f));
+    double nearest = -1.0;
+    for (int k = 0; k < beside.count; ++k)
+    {
+      nearest = std::max(nearest, shape.normal.dot(beside.normals[k]));
+    }
+    shape.needle =
+      beside.count > 0 && nearest < leastCosine && (isLow || isFlap(shape, beside, nearest));
   };
   static_cast<void>(
     forEachItem(count, control, findShape) && forEachItem(count, control, findNeedle));
@@ -205,6 +227,20 @@ std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& ed
   static_cast<void>(forEachItem(static_cast<Offset>(shapes.size()), control, findNormal));
   return normals;
 }
+
+std::vector<FacetNormal> borrowedNormals(
+  const std::vector<FacetShape>& shapes, const std::vector<Point3>& normals)
+{
+  std::vector<FacetNormal> borrowed;
+  for (std::size_t f = 0; f < shapes.size(); ++f)
+  {
+    if (!shapes[f].hasNormal())
+    {
+      borrowed.push_back({ static_cast<Index>(f), normals[f] });
+    }
+  }
+  return borrowed;
+}
 }
 
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
@@ -215,13 +251,7 @@ FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const double flat = cosineOf(weakShare * options.angleDegrees);
   const double leastCosine = cosineOf(options.angleDegrees);
   FeatureEdges features;
-  for (std::size_t f = 0; f < shapes.size(); ++f)
-  {
-    if (!shapes[f].hasNormal())
-    {
-      features.withoutNormal.push_back(static_cast<Index>(f));
-    }
-  }
+  features.borrowed = borrowedNormals(shapes, normals);
   features.kinds.resize(static_cast<std::size_t>(edges.numberOfEdges()));
   features.angles.resize(features.kinds.size(), 0.0F);
   const auto findKind = [&](Offset item)

@@ -6,6 +6,7 @@
 #define remesh_FeatureEdges_h
 
 #include "Features/Features.h"
+#include "Mesh/Normals.h"
 #include "Support/RunControl.h"
 
 namespace remesh
@@ -26,8 +27,9 @@ struct FeatureEdges
   /** E, between the facets' normals, radians; 0 below `weakShare` of the angle, and at other edges.
    */
   std::vector<float> angles;
-  Index sidesOfNeedles = 0;         ///< that are left out, see findFeatureEdges
-  std::vector<Index> withoutNormal; ///< facets, ascending, see findFeatureEdges
+  Index sidesOfNeedles = 0; ///< that are left out, see findFeatureEdges
+  /** Facets without a normal of their own, ascending, with those they take. */
+  std::vector<FacetNormal> borrowed;
 };
 
 /**
@@ -36,7 +38,8 @@ struct FeatureEdges
  * of both their long sides, though points at this spacing cannot follow them:
  * - facets lower than a fiftieth of the spacing;
  * - flaps: facets lower than a fifth of it and than an eighth of their longest side, where those
- *   beyond the long sides agree better with each other than with it.
+ *   beyond the long sides agree clearly better with each other than with it, and which are not
+ *   turned back (by 134 degrees) from both.
  * They take the normal of the facet beyond their longest edge, and on from there if that has none
  * either; two that meet in the longest edge of both, the same. Where none is found within a few
  * facets, they keep their own. O(F), in parallel. Of no use when cancelled.

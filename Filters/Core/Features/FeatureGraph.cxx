@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace remesh
 {
@@ -96,18 +98,24 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
 
 namespace
 {
-/** The corners 3 f + k of two facets at the same ends of their common edge. */
-std::array<std::pair<Index, Index>, 2> cornersAtEnds(
-  const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, Index a, Index b)
+/** A facet's corner. */
+struct Corner
 {
-  const int k = edges.sideOf(a, edge);
-  std::array<std::pair<Index, Index>, 2> found;
+  Index facet;
+  int k;
+};
+
+/** The corners of two facets at the same ends of their common edge. */
+std::array<std::pair<Corner, Corner>, 2> cornersAtEnds(
+  const SurfaceMesh& mesh, const EdgeTable& edges, Index edge, Index first, Index second)
+{
+  std::array<std::pair<Corner, Corner>, 2> found;
+  const Triple& others = mesh.facetPoints[second];
   for (int end = 0; end < 2; ++end)
   {
-    const int at = (k + end) % 3;
-    const Triple& others = mesh.facetPoints[b];
-    const auto across = std::find(others.begin(), others.end(), mesh.facetPoints[a][at]);
-    found[end] = { 3 * a + at, 3 * b + static_cast<Index>(across - others.begin()) };
+    const int k = (edges.sideOf(first, edge) + end) % 3;
+    const auto across = std::find(others.begin(), others.end(), mesh.facetPoints[first][k]);
+    found[end] = { { first, k }, { second, static_cast<int>(across - others.begin()) } };
   }
   return found;
 }
@@ -173,22 +181,23 @@ void numberCorners(SurfaceMesh& mesh, DisjointSets& fans)
   }
 }
 
-/** The points with several corners that not all hang together across edges. */
+/** The points whose corners do not all hang together across edges. */
 std::vector<Index> findPinches(const SurfaceMesh& mesh, const Features& features)
 {
   DisjointSets joined(mesh.cornerPoints.size());
   const EdgeTable& edges = features.edges;
   for (Index e = 0; e < edges.numberOfEdges(); ++e)
   {
-    const Index first = edges.edgeFacets[edges.edgeFacetsBegin[e]];
-    for (Index i = edges.edgeFacetsBegin[e] + 1;
-         features.cuts[e] && i < edges.edgeFacetsBegin[e + 1]; ++i)
+    if (!features.cuts[e])
     {
-      const Index other = edges.edgeFacets[i];
-      for (const auto& [corner, across] : cornersAtEnds(mesh, edges, e, first, other))
+      continue; // has the same corners on both sides
+    }
+    const Index first = edges.edgeFacets[edges.edgeFacetsBegin[e]];
+    for (Index i = edges.edgeFacetsBegin[e] + 1; i < edges.edgeFacetsBegin[e + 1]; ++i)
+    {
+      for (const auto& [a, b] : cornersAtEnds(mesh, edges, e, first, edges.edgeFacets[i]))
       {
-        joined.unite(
-          mesh.facetCorners[corner / 3][corner % 3], mesh.facetCorners[across / 3][across % 3]);
+        joined.unite(mesh.facetCorners[a.facet][a.k], mesh.facetCorners[b.facet][b.k]);
       }
     }
   }
@@ -219,10 +228,9 @@ void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
     if (!features.cuts[e])
     {
       const Index* around = features.edges.edgeFacets.data() + features.edges.edgeFacetsBegin[e];
-      for (const auto& [corner, across] :
-        cornersAtEnds(mesh, features.edges, e, around[0], around[1]))
+      for (const auto& [a, b] : cornersAtEnds(mesh, features.edges, e, around[0], around[1]))
       {
-        fans.unite(corner, across);
+        fans.unite(3 * a.facet + a.k, 3 * b.facet + b.k);
       }
     }
   }
@@ -230,7 +238,8 @@ void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
   features.pinches = findPinches(mesh, features);
 }
 
-Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const RunControl& control)
+Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const RunControl& control,
+  std::vector<FacetNormal>* borrowed)
 {
   const RunControl silent = control.silent();
   Features features;
@@ -252,7 +261,10 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
   }
   bridgeGaps(mesh, features.edges, options, found);
   features.kinds = std::move(found.kinds);
-  features.facetsWithoutNormal = std::move(found.withoutNormal);
+  if (borrowed)
+  {
+    *borrowed = std::move(found.borrowed);
+  }
   if (control.cancelled())
   {
     return features;

@@ -23,16 +23,19 @@ void traceCurves(const SurfaceMesh& mesh, Features& features);
  * Finds the patches, and cuts the surface open between them: each fan of facets around a point,
  * joined by edges that are not cut, gets an embedded corner of its own (`facetCorners`,
  * `cornerPoints`), numbered as the facets meet them, and the facets get the ids of their patches
- * (parts of the surface that features enclose). Points whose fans no edges join are pinches. O(F).
+ * (parts of the surface that features enclose). Points whose fans are not all joined by edges are
+ * pinches. O(F).
  */
 void cutAlongFeatures(SurfaceMesh& mesh, Features& features);
 
 /**
  * All of it: edges, small ones dropped, corners, curves, fans and patches. Of no use, and neither
  * is the mesh, when cancelled; the control is asked between and within these steps.
+ *
+ * @param borrowed receives the normals of facets that have none of their own (FeatureEdges.h).
  */
-Features findFeatures(
-  SurfaceMesh& mesh, const FeatureOptions& options, const RunControl& control = RunControl());
+Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options,
+  const RunControl& control = RunControl(), std::vector<FacetNormal>* borrowed = nullptr);
 
 /**
  * The edges of the surface as it is embedded: as its points have them, but where it is cut open

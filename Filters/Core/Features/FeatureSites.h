@@ -46,7 +46,7 @@ struct CollarEdge
 struct FeatureSites
 {
   Stations stations;                           ///< the places on the curves
-  std::vector<FeaturePoint> points;            ///< corners first, then curve by curve
+  std::vector<FeaturePoint> points;            ///< corners first, as in Features, then curves
   Sites sites;                                 ///< the copies, point by point, all fixed
   std::vector<Index> pointOfSite;              ///< the feature point of each copy
   std::vector<Index> firstCopy;                ///< of each feature point

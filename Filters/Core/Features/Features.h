@@ -46,14 +46,12 @@ struct Features
   std::vector<char> cuts;
   std::vector<FeatureCurve> curves;
   std::vector<Index> corners;      ///< points of the surface, ascending
-  std::vector<Index> pinches;      ///< corners where parts of the surface meet in just the point
+  std::vector<Index> pinches;      ///< corners where parts of it meet in just the point, ascending
   std::vector<Index> facetPatches; ///< F
   Index numberOfPatches = 1;
-  std::vector<Index> facetsWithoutNormal; ///< of their own, ascending: needles, and thinner ones
   Index droppedEdges = 0; ///< creases too small for the spacing, sides of needles, and steps
 
   bool any() const { return !this->curves.empty() || !this->corners.empty(); }
-  bool isCut(Index facet, int k) const { return this->cuts[this->edges.facetEdges[facet][k]] != 0; }
   FeatureKind kind(Index facet, int k) const
   {
     return this->kinds[this->edges.facetEdges[facet][k]];

@@ -56,25 +56,34 @@ FacetShare facetShare(const SurfaceMesh& mesh, std::size_t facet)
       std::atan2(doubleArea, -ca.dot(bc)) } };
 }
 
-Point3 normalOf(const SurfaceMesh& mesh, std::size_t facet)
+/** The normal that a facet borrows, or else its own. */
+Point3 normalOf(
+  const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrowed, std::size_t facet)
 {
+  const auto found = std::lower_bound(borrowed.begin(), borrowed.end(), facet,
+    [](const FacetNormal& a, std::size_t b) { return static_cast<std::size_t>(a.facet) < b; });
+  if (found != borrowed.end() && static_cast<std::size_t>(found->facet) == facet)
+  {
+    return found->normal;
+  }
   const auto& [a, b, c] = mesh.facetPoints[facet];
   return facetNormal(mesh.points[a], mesh.points[b], mesh.points[c]);
 }
 
-std::vector<Point3> angleWeightedNormals(const SurfaceMesh& mesh, const std::vector<Index>& leftOut)
+std::vector<Point3> angleWeightedNormals(
+  const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrowed)
 {
   std::vector<Point3> normals(mesh.cornerPoints.size(), Point3::Zero());
   std::vector<double> angleSums(normals.size(), 0.0);
-  auto next = leftOut.begin();
+  auto next = borrowed.begin();
   for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
   {
-    if (next != leftOut.end() && *next == static_cast<Index>(f))
+    FacetShare share = facetShare(mesh, f);
+    if (next != borrowed.end() && static_cast<std::size_t>(next->facet) == f)
     {
+      share.normal = next->normal;
       ++next;
-      continue;
     }
-    const FacetShare share = facetShare(mesh, f);
     for (int k = 0; k < 3; ++k)
     {
       const Index corner = mesh.facetCorners[f][k];
@@ -93,7 +102,7 @@ std::vector<Point3> angleWeightedNormals(const SurfaceMesh& mesh, const std::vec
       }
       if (angleSums[corner] < 0.0)
       {
-        normals[corner] = normalOf(mesh, f);
+        normals[corner] = normalOf(mesh, borrowed, f);
       }
     }
   }
@@ -281,10 +290,10 @@ Status checkInputNormals(const SurfaceMesh& mesh, const std::vector<Point3>& inp
 }
 }
 
-std::vector<Point3> estimateCornerNormals(
-  const SurfaceMesh& mesh, int passes, const RunControl& control, const std::vector<Index>& leftOut)
+std::vector<Point3> estimateCornerNormals(const SurfaceMesh& mesh, int passes,
+  const RunControl& control, const std::vector<FacetNormal>& borrowed)
 {
-  std::vector<Point3> normals = angleWeightedNormals(mesh, leftOut);
+  std::vector<Point3> normals = angleWeightedNormals(mesh, borrowed);
   if (passes <= 0 || normals.empty())
   {
     return normals;

@@ -11,18 +11,25 @@
 
 namespace remesh
 {
+/** A facet, and a normal for it. */
+struct FacetNormal
+{
+  Index facet;
+  Point3 normal;
+};
+
 /**
  * Angle-weighted means of the facet normals, smoothed by uniform 1-ring averaging.
  *
  * @param passes smoothing passes, >= 0. Parallel.
  * @param control reports the passes; when it cancels, the passes done so far are returned.
- * @param leftOut facets, ascending, that do not count.
- * @return C unit vectors; a corner without direction (facets that cancel out, or none that counts)
- *         gets the normal of its first facet.
+ * @param borrowed normals of facets to take in place of their own, ascending.
+ * @return C unit vectors; a corner without direction (facets that cancel out) gets the normal of
+ *         its first facet.
  * Cost: O(F) per pass. Deterministic.
  */
 std::vector<Point3> estimateCornerNormals(const SurfaceMesh& mesh, int passes,
-  const RunControl& control = RunControl(), const std::vector<Index>& leftOut = {});
+  const RunControl& control = RunControl(), const std::vector<FacetNormal>& borrowed = {});
 
 /**
  * The caller's normals: at each corner the normalised mean of the distinct input points merged
