@@ -133,12 +133,12 @@ NormalsBeside normalsBeside(const SurfaceMesh& mesh, const EdgeTable& edges,
 }
 
 /**
- * Whether a facet that makes creases of its long sides stands out of facets that agree with each
- * other. Where a surface rolls or folds up, each stands out of the next.
+ * Whether a slender facet that makes creases of its long sides stands out of facets that agree with
+ * each other. Where a surface rolls or folds up, each stands out of the next.
  *
  * @param nearest the largest of the cosines to them.
  */
-bool isFlap(const FacetShape& shape, const NormalsBeside& beside, double nearest)
+bool isFlap(const NormalsBeside& beside, double nearest)
 {
   double agreement = 1.0;
   for (int k = 1; k < beside.count; ++k)
@@ -148,7 +148,7 @@ bool isFlap(const FacetShape& shape, const NormalsBeside& beside, double nearest
       agreement = std::min(agreement, beside.normals[k].dot(beside.normals[l]));
     }
   }
-  return shape.isSlender() && agreement > nearest + leastAgreement && nearest > cosineOfTurningBack;
+  return agreement > nearest + leastAgreement && nearest > cosineOfTurningBack;
 }
 
 std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edges,
@@ -175,8 +175,7 @@ std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edg
     {
       nearest = std::max(nearest, shape.normal.dot(beside.normals[k]));
     }
-    shape.needle =
-      beside.count > 0 && nearest < leastCosine && (isLow || isFlap(shape, beside, nearest));
+    shape.needle = beside.count > 0 && nearest < leastCosine && (isLow || isFlap(beside, nearest));
   };
   static_cast<void>(
     forEachItem(count, control, findShape) && forEachItem(count, control, findNeedle));
