@@ -99,12 +99,10 @@ Status diagramAndDual(const Task& task, const RunControl& control, Carried& carr
   RemeshResult& result)
 {
   {
-    Diagram before;
-    std::optional<EarlierDiagram> earlier;
+    std::optional<EarlierSites> earlier;
     if (carried.sites && task.surface.dimension < manyDimensions)
     {
-      before = std::move(result.diagram);
-      earlier.emplace(EarlierDiagram{ *carried.sites, before, carried.owners });
+      earlier.emplace(EarlierSites{ *carried.sites, carried.owners });
     }
     // The last dual makes room for the diagram, and the diagram's lists and sums for its dual.
     result.components = Components{};

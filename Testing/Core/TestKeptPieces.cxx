@@ -34,10 +34,11 @@ test::Computed decomposed(
 {
   test::Computed result;
   RestrictedVoronoi voronoi(surface);
-  std::optional<EarlierDiagram> known;
+  std::optional<EarlierSites> known;
   if (earlier)
   {
-    known.emplace(EarlierDiagram{ earlier->sites, earlier->diagram, earlier->owners });
+    known.emplace(EarlierSites{ earlier->sites, earlier->owners });
+    result.diagram = earlier->diagram;
   }
   CHECK(
     voronoi.decompose(sites, RunControl(), result.sums, result.diagram, known ? &*known : nullptr)
@@ -57,7 +58,7 @@ test::Computed decomposed(
 /** How many facets keep their pieces. */
 Index countKept(const EmbeddedSurface& surface, const test::Computed& earlier, const Sites& sites)
 {
-  KeptPieces kept(surface, { earlier.sites, earlier.diagram, earlier.owners });
+  KeptPieces kept(surface, { earlier.sites, earlier.owners }, earlier.diagram);
   CHECK(kept.find(sites, RunControl()).ok());
   Index count = 0;
   for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
@@ -141,8 +142,8 @@ void testCancelled()
     const RunControl control({}, [&]() { return calls++ >= asked; });
     RestrictedVoronoi voronoi(surface);
     CellSums sums;
-    Diagram diagram;
-    const EarlierDiagram known{ earlier.sites, earlier.diagram, earlier.owners };
+    Diagram diagram = earlier.diagram;
+    const EarlierSites known{ earlier.sites, earlier.owners };
     if (voronoi.decompose(earlier.sites, control, sums, diagram, &known).ok())
     {
       break;
@@ -160,7 +161,7 @@ void testFewChange()
   Sites sites = earlier.sites;
   sites.site(450)[0] += 1e-3;
   const Index changed = surface.numberOfFacets() - countKept(surface, earlier, sites);
-  KeptPieces kept(surface, { earlier.sites, earlier.diagram, earlier.owners });
+  KeptPieces kept(surface, { earlier.sites, earlier.owners }, earlier.diagram);
   CHECK(kept.find(sites, RunControl()).ok());
   CHECK(changed > 0);
   CHECK(100 * changed < 2 * surface.numberOfFacets());

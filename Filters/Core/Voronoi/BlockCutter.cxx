@@ -86,11 +86,8 @@ void BlockCutter<D>::decompose(
     if (kept && kept->keeps(facet))
     {
       kept->forEachPiece(facet,
-        [&](Offset piece)
-        {
-          pieces.add(kept->diagram(), piece, kept->later());
-          m_accumulator.add(facet, pieces.sites.back(), pieces.integrals.back());
-        });
+        [&](Index site, const PieceIntegral& integral)
+        { m_accumulator.add(facet, site, integral); });
       continue;
     }
     const bool whole = this->ownerOfAll(facet) != noIndex;

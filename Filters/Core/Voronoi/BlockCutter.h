@@ -36,7 +36,7 @@ public:
   /** The sums over the facets [begin, end). */
   void integrate(Offset begin, Offset end, BlockSums& sums);
 
-  /** The same, and the pieces. @param kept those that need not be cut, if there are any. */
+  /** The same, and the pieces but of the facets that keep theirs, if there are any. */
   void decompose(
     Offset begin, Offset end, const KeptPieces* kept, BlockSums& sums, DiagramBlock& pieces);
 

@@ -40,21 +40,6 @@ void DiagramBlock::add(Index facet, Index site, const PieceIntegral& integral,
   }
 }
 
-void DiagramBlock::add(const Diagram& diagram, Offset piece, const std::vector<Index>& later)
-{
-  const Index begin = diagram.vertexBegin[piece];
-  const Index end = diagram.vertexBegin[piece + 1];
-  this->sites.push_back(later[diagram.sites[piece]]);
-  this->facets.push_back(diagram.facets[piece]);
-  this->integrals.push_back(diagram.integrals[piece]);
-  this->sizes.push_back(end - begin);
-  for (Index v = begin; v < end; ++v)
-  {
-    const Index beyond = diagram.across[v];
-    this->across.push_back(beyond < 0 ? beyond : later[beyond]);
-  }
-}
-
 void DiagramBlock::clear()
 {
   this->sites.clear();
@@ -62,6 +47,14 @@ void DiagramBlock::clear()
   this->integrals.clear();
   this->sizes.clear();
   this->across.clear();
+}
+
+Status checkNumberOfVertices(std::size_t vertices)
+{
+  return vertices <= static_cast<std::size_t>(maximumIndex)
+    ? Status::success()
+    : Status::invalid("The pieces of the diagram have more vertices than the " +
+        std::to_string(maximumIndex) + " that can be held.");
 }
 
 void beginDiagram(Diagram& diagram)
@@ -80,10 +73,9 @@ Status appendBlocks(std::vector<DiagramBlock>& blocks, double share, Diagram& di
     vertices += block.across.size();
   }
   // There are more vertices than pieces.
-  if (diagram.across.size() + vertices > static_cast<std::size_t>(maximumIndex))
+  if (Status status = checkNumberOfVertices(diagram.across.size() + vertices); !status.ok())
   {
-    return Status::invalid("The pieces of the diagram have more vertices than the " +
-      std::to_string(maximumIndex) + " that can be held.");
+    return status;
   }
   makeRoom(diagram.sites, pieces, share);
   makeRoom(diagram.facets, pieces, share);

@@ -22,12 +22,12 @@ struct DiagramBlock
   void add(Index facet, Index site, const PieceIntegral& integral, const Polygon& polygon,
     const FacetTiling& tiling);
 
-  /** A piece of another diagram, whose sites have the ids `later` now. */
-  void add(const Diagram& diagram, Offset piece, const std::vector<Index>& later);
-
   /** Forgets the pieces and keeps the memory for others. */
   void clear();
 };
+
+/** Whether the pieces of a diagram may have so many vertices; else InvalidInput. */
+Status checkNumberOfVertices(std::size_t vertices);
 
 /** Makes an empty diagram that blocks can be appended to. */
 void beginDiagram(Diagram& diagram);

@@ -59,13 +59,12 @@ void KeptPieces::findRange(
   Index begin, Index end, const NeighborSearch* added, const Sites& addedSites)
 {
   const int d = m_surface.dimension;
-  const Diagram& diagram = m_earlier.diagram;
   CornerReader<D> corners(m_surface);
   std::vector<double> center(static_cast<std::size_t>(d));
   for (Index facet = begin; facet < end; ++facet)
   {
-    const auto first = diagram.sites.begin() + diagram.facetBegin[facet];
-    const auto last = diagram.sites.begin() + diagram.facetBegin[facet + 1];
+    const auto first = m_diagram.sites.begin() + m_diagram.facetBegin[facet];
+    const auto last = m_diagram.sites.begin() + m_diagram.facetBegin[facet + 1];
     if (std::any_of(first, last, [&](Index site) { return m_later[site] == noIndex; }))
     {
       continue;
@@ -144,10 +143,10 @@ std::vector<Index> KeptPieces::sitesAround(const Sites& sites) const
   {
     isAround[site] = 1;
   }
-  for (Offset piece = 0; piece < this->diagram().numberOfPieces(); ++piece)
+  for (Offset piece = 0; piece < m_diagram.numberOfPieces(); ++piece)
   {
-    const Index site = m_later[this->diagram().sites[piece]];
-    if (site != noIndex && !this->keeps(this->diagram().facets[piece]))
+    const Index site = m_later[m_diagram.sites[piece]];
+    if (site != noIndex && !this->keeps(m_diagram.facets[piece]))
     {
       isAround[site] = 1;
     }

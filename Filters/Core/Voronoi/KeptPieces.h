@@ -16,21 +16,22 @@
 
 namespace remesh
 {
-/** An exact diagram. */
-struct EarlierDiagram
+/** What an exact diagram was made of. */
+struct EarlierSites
 {
   const Sites& sites;
-  const Diagram& diagram;
   const std::vector<Index>& owners; ///< C, of the corners
 };
 
 class KeptPieces
 {
 public:
-  /** Both must outlive this object. */
-  KeptPieces(const EmbeddedSurface& surface, const EarlierDiagram& earlier)
+  /** All must outlive this object. */
+  KeptPieces(
+    const EmbeddedSurface& surface, const EarlierSites& earlier, const Diagram& earlierDiagram)
     : m_surface(surface)
     , m_earlier(earlier)
+    , m_diagram(earlierDiagram)
   {
   }
 
@@ -43,18 +44,17 @@ public:
 
   bool keeps(Index facet) const { return m_keeps[facet] != 0; }
 
-  /** Calls `visit(piece)` for the earlier pieces of a facet that is kept. */
+  /** Calls `visit(site, integral)` for the pieces of a facet that is kept; sites by later ids. */
   template <class Visit>
   void forEachPiece(Index facet, const Visit& visit) const
   {
-    for (Offset piece = this->diagram().facetBegin[facet];
-         piece < this->diagram().facetBegin[facet + 1]; ++piece)
+    for (Offset piece = m_diagram.facetBegin[facet]; piece < m_diagram.facetBegin[facet + 1];
+         ++piece)
     {
-      visit(piece);
+      visit(m_later[m_diagram.sites[piece]], m_diagram.integrals[piece]);
     }
   }
 
-  const Diagram& diagram() const { return m_earlier.diagram; }
   /** The ids that kept sites have now, by their earlier ones. Their order is the same. */
   const std::vector<Index>& later() const { return m_later; }
 
@@ -68,7 +68,8 @@ private:
   void findRange(Index begin, Index end, const NeighborSearch* added, const Sites& addedSites);
 
   const EmbeddedSurface& m_surface;
-  EarlierDiagram m_earlier;
+  EarlierSites m_earlier;
+  const Diagram& m_diagram;
   std::vector<Index> m_later; ///< n earlier ones; noIndex for one that is gone
   std::vector<Index> m_added; ///< ascending
   std::vector<char> m_keeps;  ///< F

@@ -3,6 +3,7 @@
 #include "Embedding/Distance.h"
 #include "Support/Parallel.h"
 #include "Voronoi/BlockCutter.h"
+#include "Voronoi/DiagramUpdate.h"
 
 #include <algorithm>
 #include <memory>
@@ -154,16 +155,15 @@ Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& contro
 }
 
 Status RestrictedVoronoi::decompose(const Sites& sites, const RunControl& control, CellSums& sums,
-  Diagram& diagram, const EarlierDiagram* earlier)
+  Diagram& diagram, const EarlierSites* earlier)
 {
   ++m_evaluations;
   sums = CellSums{};
-  beginDiagram(diagram);
   std::optional<KeptPieces> pieces;
   if (earlier)
   {
     PhaseTimer timer(m_times.neighbors);
-    pieces.emplace(m_surface, *earlier);
+    pieces.emplace(m_surface, *earlier, diagram);
     if (Status status = pieces->find(sites, control.silent()); !status.ok())
     {
       return status;
@@ -174,8 +174,12 @@ Status RestrictedVoronoi::decompose(const Sites& sites, const RunControl& contro
   {
     return status;
   }
-  return dispatchDimension(m_surface.dimension,
+  Diagram changes; // the pieces of the facets that are not kept
+  Diagram& made = kept ? changes : diagram;
+  beginDiagram(made);
+  Status status = dispatchDimension(m_surface.dimension,
     [&](auto dimension)
-    { return this->cut<decltype(dimension)::value>(sites, kept, control, sums, &diagram); });
+    { return this->cut<decltype(dimension)::value>(sites, kept, control, sums, &made); });
+  return status.ok() && kept ? updateDiagram(*kept, changes, control.silent(), diagram) : status;
 }
 }

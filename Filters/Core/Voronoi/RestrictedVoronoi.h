@@ -9,7 +9,7 @@
  *    (FacetDecomposition.h), and each block keeps its own sums;
  * 4. the blocks are added up (CellSums.h), or their pieces are strung together (Diagram.h).
  *
- * A whole diagram may take pieces from an earlier one and make the rest (KeptPieces.h).
+ * A whole diagram may keep pieces of an earlier one and make the rest (KeptPieces.h).
  *
  * Exact (ties included, see Predicates.h) and reproducible: neither the back-end, the threads nor
  * the order of the blocks changes a bit of the result. What is kept from one evaluation to the next
@@ -69,11 +69,12 @@ public:
    * The pieces of all cells and the same integrals. Nothing is kept of the lists: the way that the
    * sites came does not matter, nor does that of later ones.
    *
-   * @param earlier an exact diagram of other sites, if one is at hand (not `diagram` itself): what
-   *        they share is taken from it. The result is the same, to the bit, and comes sooner.
+   * @param diagram of these sites after; unless all went well, of no use.
+   * @param earlier the sites, if there are any, whose exact diagram `diagram` is before: what they
+   *        share stays there. The result is the same, to the bit, and comes sooner.
    */
   Status decompose(const Sites& sites, const RunControl& control, CellSums& sums, Diagram& diagram,
-    const EarlierDiagram* earlier = nullptr);
+    const EarlierSites* earlier = nullptr);
 
   /** Site that owns each corner (C), of the last evaluation. */
   const std::vector<Index>& owners() const { return m_ownership.owners(); }
