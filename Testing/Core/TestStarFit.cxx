@@ -189,15 +189,14 @@ void checkRounds(const PlacementProblem& problem, const std::vector<Point3>& pos
 {
   const std::vector<Point3>& shapes = problem.components.centroids;
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
-  const EdgeTable edges = buildEdgeTable(problem.triangles);
   FitSamples samples(problem, samplesPerVertex);
-  FitSystem once = makeFitSystem(problem, edges);
+  FitSystem once = makeFitSystem(problem);
   FitSystem again = once;
   RunControl shuffled;
   shuffled.schedule = Schedule::ShuffledBlocks;
   const auto assemble = [&](const std::vector<Point3>& places, FitSystem& system)
-  { CHECK(assembleFit(problem, stars, edges, places, shapes, samples, shuffled, system)); };
-  CHECK(assembleFit(problem, stars, edges, positions, shapes, samples, RunControl(), once));
+  { CHECK(assembleFit(problem, stars, places, shapes, samples, shuffled, system)); };
+  CHECK(assembleFit(problem, stars, positions, shapes, samples, RunControl(), once));
   assemble(shapes, again);
   CHECK(!again.blockSums.empty());
   const TriangleSums* const memory = again.blockSums.front().sums.data();

@@ -8,6 +8,7 @@
  */
 #include "Placement/FitSystem.h"
 
+#include "Mesh/EdgeTable.h"
 #include "Mesh/FacetGeometry.h"
 #include "Placement/TriangleShape.h"
 #include "Support/Grouping.h"
@@ -16,6 +17,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <utility>
 
 namespace remesh
 {
@@ -67,7 +69,7 @@ void addToVertices(const PlacementProblem& problem, const StarBlock& block, FitS
 }
 
 /** What they add to the edges' blocks and the triangles' normals. */
-void addToTriangles(const EdgeTable& edges, const StarBlock& block, FitSystem& system)
+void addToTriangles(const StarBlock& block, FitSystem& system)
 {
   for (std::size_t s = 0; s < block.triangles.size(); ++s)
   {
@@ -75,15 +77,15 @@ void addToTriangles(const EdgeTable& edges, const StarBlock& block, FitSystem& s
     const TriangleSums& sums = block.sums[s];
     for (int k = 0; k < 3; ++k)
     {
-      system.edgeBlocks[edges.facetEdges[t][k]] += symmetric(sums.pairs[3 + k]).cast<float>();
+      system.edgeBlocks[system.triangleEdges[t][k]] += symmetric(sums.pairs[3 + k]).cast<float>();
       system.triangleNormals[t] += Eigen::Map<const Point3>(sums.slopes[k] + 3);
     }
   }
 }
 
 /** The sums of the first blocks of a group, each kind in the order of the blocks. */
-bool addGroup(const PlacementProblem& problem, const EdgeTable& edges, Offset blocks,
-  const RunControl& control, FitSystem& system)
+bool addGroup(
+  const PlacementProblem& problem, Offset blocks, const RunControl& control, FitSystem& system)
 {
   return forEachBlock(2, control.silent(),
     [&](Offset kind)
@@ -91,7 +93,7 @@ bool addGroup(const PlacementProblem& problem, const EdgeTable& edges, Offset bl
       for (Offset block = 0; block < blocks; ++block)
       {
         const StarBlock& sums = system.blockSums[block];
-        kind == 0 ? addToVertices(problem, sums, system) : addToTriangles(edges, sums, system);
+        kind == 0 ? addToVertices(problem, sums, system) : addToTriangles(sums, system);
       }
     });
 }
@@ -195,8 +197,9 @@ Point3 FitSystem::precondition(const Point3& r, std::size_t i) const
   return multiply(this->inverses[i], r);
 }
 
-FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
+FitSystem makeFitSystem(const PlacementProblem& problem)
 {
+  EdgeTable edges = buildEdgeTable(problem.triangles);
   FitSystem system;
   const auto count = static_cast<std::size_t>(problem.numberOfVertices());
   system.linkBegins.assign(count + 1, 0);
@@ -232,17 +235,18 @@ FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
       system.links[next[a]++] = { b, edge };
       system.links[next[b]++] = { a, edge };
     });
+  system.edgeBlocks.resize(static_cast<std::size_t>(edges.numberOfEdges()));
+  system.triangleEdges = std::move(edges.facetEdges);
   return system;
 }
 
-bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, const EdgeTable& edges,
+bool assembleFit(const PlacementProblem& problem, const VertexStars& stars,
   const std::vector<Point3>& positions, const std::vector<Point3>& shapes, FitSamples& samples,
   const RunControl& control, FitSystem& system)
 {
   const auto vertices = static_cast<std::size_t>(problem.numberOfVertices());
   system.vertexBlocks.assign(vertices, Symmetric3<double>::Zero());
-  system.edgeBlocks.assign(
-    static_cast<std::size_t>(edges.numberOfEdges()), Symmetric3<float>::Zero());
+  system.edgeBlocks.assign(system.edgeBlocks.size(), Symmetric3<float>::Zero());
   system.slopes.assign(vertices, Point3::Zero());
   system.weights.assign(vertices, 0.0);
   system.triangleNormals.assign(problem.triangles.size(), Point3::Zero());
@@ -257,7 +261,7 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars, cons
     if (!forEachBlock(size, control.silent(),
           [&](Offset block)
           { pool.borrow()->sum(samples, first + block, system.blockSums[block]); }) ||
-      !addGroup(problem, edges, size, control, system))
+      !addGroup(problem, size, control, system))
     {
       return false;
     }

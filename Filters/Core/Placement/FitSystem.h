@@ -5,7 +5,6 @@
 #ifndef remesh_FitSystem_h
 #define remesh_FitSystem_h
 
-#include "Mesh/EdgeTable.h"
 #include "Placement/StarFit.h"
 #include "Support/ConjugateGradients.h"
 
@@ -43,22 +42,22 @@ struct FitSystem
     Index vertex;
     Index edge;
   };
-  std::vector<Offset> linkBegins; ///< K + 1, into `links`
-  std::vector<Link> links;        ///< the edges at each vertex
-  std::vector<char> frozen;       ///< K, vertices that must not move
+  std::vector<Offset> linkBegins;    ///< K + 1, into `links`
+  std::vector<Link> links;           ///< the edges at each vertex
+  std::vector<Triple> triangleEdges; ///< T x 3, as in an EdgeTable
+  std::vector<char> frozen;          ///< K, vertices that must not move
 
   Point3 row(const VectorField& x, std::size_t i) const;
   Point3 precondition(const Point3& r, std::size_t i) const;
 };
 
-/**
- * The mesh's edges as links; vertices without triangles or fixed are frozen. O(T).
- */
-FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges);
+/** The mesh's edges as links, and room for their blocks. O(T). */
+FitSystem makeFitSystem(const PlacementProblem& problem);
 
 /**
  * Ties each sample of the surface to the closest point of the triangles around its own vertex that
- * face the same way (so never to another sheet), and sums up the system.
+ * face the same way (so never to another sheet), and sums up the system. Vertices without triangles
+ * or fixed are frozen.
  *
  * @param shapes K, the positions whose shapes the springs keep.
  * Cost: O(samples). Parallel over blocks of vertices, whose sums are added in a fixed order.
@@ -66,8 +65,8 @@ FitSystem makeFitSystem(const PlacementProblem& problem, const EdgeTable& edges)
  * @return false when cancelled.
  */
 [[nodiscard]] bool assembleFit(const PlacementProblem& problem, const VertexStars& stars,
-  const EdgeTable& edges, const std::vector<Point3>& positions, const std::vector<Point3>& shapes,
-  FitSamples& samples, const RunControl& control, FitSystem& system);
+  const std::vector<Point3>& positions, const std::vector<Point3>& shapes, FitSamples& samples,
+  const RunControl& control, FitSystem& system);
 }
 
 #endif

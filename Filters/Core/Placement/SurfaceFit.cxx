@@ -29,8 +29,7 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
   const RunControl& control, std::vector<Point3>& positions)
 {
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
-  const EdgeTable edges = buildEdgeTable(problem.triangles);
-  FitSystem system = makeFitSystem(problem, edges);
+  FitSystem system = makeFitSystem(problem);
   std::optional<FitSamples> samples;
   samples.emplace(problem, coarseSamples);
   std::vector<Point3> before = positions; // the last round
@@ -42,7 +41,7 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
       // For two rounds, keeping these takes as long as making them again.
       samples.emplace(problem, samplesPerVertex, 0.0);
     }
-    if (!assembleFit(problem, stars, edges, positions, shapes, *samples, control, system))
+    if (!assembleFit(problem, stars, positions, shapes, *samples, control, system))
     {
       return Status::cancelled();
     }
