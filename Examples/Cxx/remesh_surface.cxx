@@ -13,6 +13,7 @@
 #include "Interruption.h"
 #include "Messages.h"
 #include "OutputFiles.h"
+#include "ProgramMemory.h"
 #include "ProgressBar.h"
 #include "Report.h"
 #include "SurfaceFiles.h"
@@ -34,12 +35,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <new>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace
 {
@@ -369,19 +365,6 @@ int GiveUp(const std::string& sentence, int status)
 {
   std::cerr << "remesh_surface: " << sentence << '\n';
   return status;
-}
-
-/**
- * Keeps memory that is freed for what comes next: large arrays come and go, and pages that are
- * got anew from the system and zeroed each time take up to a twentieth of a run. The largest go
- * back at once.
- */
-void KeepFreedMemory()
-{
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 25);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-#endif
 }
 } // namespace
 
