@@ -105,13 +105,7 @@ private:
         m_fromCollar[component] += shape == CollarShape::Disk ? whole : 0;
       }
     }
-    for (const Pinch& pinch : m_seams->pinches)
-    {
-      if (const Index component = m_seams->components[pinch.point]; component != noIndex)
-      {
-        m_isPinched[component] = 1;
-      }
-    }
+    m_seams->forEachPinch([&](Index component, const Pinch&) { m_isPinched[component] = 1; });
     for (const Contact& contact : m_seams->contacts)
     {
       m_fromCollar[m_components.ofPiece[contact.piece]] += ofTwo * (contact.innerEnds - 2);

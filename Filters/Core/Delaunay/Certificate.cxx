@@ -81,15 +81,29 @@ std::vector<Index> mostCrossings(const Seams* seams, Index numberOfVertices)
   std::vector<Index> most(static_cast<std::size_t>(numberOfVertices), 2);
   if (seams)
   {
-    for (const Pinch& pinch : seams->pinches)
-    {
-      if (const Index vertex = seams->components[pinch.point]; vertex != noIndex)
-      {
-        most[vertex] = std::max(most[vertex], pinch.borders);
-      }
-    }
+    seams->forEachPinch([&](Index vertex, const Pinch& pinch)
+      { most[vertex] = std::max(most[vertex], pinch.borders); });
   }
   return most;
+}
+
+/** Whether the border of the surface passes more often from each vertex to another. */
+std::vector<char> areOverrun(
+  const std::vector<Pair>& crossings, const Seams* seams, Index numberOfVertices)
+{
+  std::vector<Index> ends(static_cast<std::size_t>(numberOfVertices), 0);
+  for (const auto& [a, b] : crossings)
+  {
+    ++ends[a];
+    ++ends[b];
+  }
+  const std::vector<Index> most = mostCrossings(seams, numberOfVertices);
+  std::vector<char> overrun(ends.size());
+  for (std::size_t k = 0; k < ends.size(); ++k)
+  {
+    overrun[k] = ends[k] > most[k];
+  }
+  return overrun;
 }
 
 /** Step 3: each edge has two ends, at most one of them on the border. */
@@ -122,23 +136,17 @@ void checkEdges(const std::vector<EdgeValence>& odd, const std::vector<Pair>& cr
 }
 
 /** Step 2, and what was found of step 1. */
-void checkCells(const std::vector<char>& isDisk, const std::vector<Triple>& triangles,
-  const std::vector<Pair>& crossings, const std::vector<Index>& mostEnds, Certificate& certificate)
+void checkCells(const std::vector<char>& isDisk, const std::vector<char>& overrun,
+  const std::vector<Triple>& triangles, Certificate& certificate)
 {
   std::vector<char> used(isDisk.size(), 0);
   for (const Triple& triangle : triangles)
   {
     used[triangle[0]] = used[triangle[1]] = used[triangle[2]] = 1;
   }
-  std::vector<Index> ends(isDisk.size(), 0);
-  for (const auto& [a, b] : crossings)
-  {
-    ++ends[a];
-    ++ends[b];
-  }
   for (std::size_t k = 0; k < isDisk.size(); ++k)
   {
-    if (!isDisk[k] || !used[k] || ends[k] > mostEnds[k])
+    if (!isDisk[k] || !used[k] || overrun[k])
     {
       certificate.cells.push_back(static_cast<Index>(k));
     }
@@ -166,17 +174,17 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
   }
   const std::vector<Pair> crossings = findCrossings(edges, diagram, components, seams);
   const std::vector<Pair> crowded = findCrowded(seams);
-  const std::vector<Index> mostEnds = mostCrossings(seams, components.count());
+  const std::vector<char> overrun = areOverrun(crossings, seams, components.count());
   if (dual.repeated.empty())
   {
-    checkCells(isDisk, dual.triangles, crossings, mostEnds, certificate);
+    checkCells(isDisk, overrun, dual.triangles, certificate);
     checkEdges(dual.edges.irregular, crossings, crowded, certificate);
   }
   else
   {
     std::vector<Triple> meetings = dual.triangles;
     meetings.insert(meetings.end(), dual.repeated.begin(), dual.repeated.end());
-    checkCells(isDisk, meetings, crossings, mostEnds, certificate);
+    checkCells(isDisk, overrun, meetings, certificate);
     checkEdges(countEdgeValences(meetings, components.count(), silent).irregular, crossings,
       crowded, certificate);
   }

@@ -74,6 +74,19 @@ struct Seams
   bool isComplete = true;               ///< each edge is covered by pieces from end to end
   /** Feature points on both sides of each point that parts them on the surface's border. */
   std::vector<std::pair<Index, Index>> borderCrossings;
+
+  /** Calls `visit(component, pinch)` for those at which there is a cell. */
+  template <class Visit>
+  void forEachPinch(const Visit& visit) const
+  {
+    for (const Pinch& pinch : this->pinches)
+    {
+      if (const Index component = this->components[pinch.point]; component != noIndex)
+      {
+        visit(component, pinch);
+      }
+    }
+  }
 };
 
 /** O(pieces along the features). */

@@ -240,6 +240,64 @@ std::vector<FacetNormal> borrowedNormals(
   }
   return borrowed;
 }
+/** Tells features from other edges. */
+class EdgeJudge
+{
+public:
+  /** @param normals F, reliable ones. All must outlive it. */
+  EdgeJudge(const SurfaceMesh& mesh, const EdgeTable& edges, const std::vector<FacetShape>& shapes,
+    const std::vector<Point3>& normals, const FeatureOptions& options)
+    : m_mesh(mesh)
+    , m_edges(edges)
+    , m_shapes(shapes)
+    , m_normals(normals)
+    , m_labels(options.facetLabels)
+    , m_flat(cosineOf(weakShare * options.angleDegrees))
+    , m_leastCosine(cosineOf(options.angleDegrees))
+  {
+  }
+
+  /** @param angle stays as it is where the edge is flat, or of no two facets. */
+  FeatureKind kindOf(Index edge, float& angle) const
+  {
+    const Index* around = this->facetsAt(edge);
+    if (m_edges.valence(edge) != 2)
+    {
+      return m_edges.valence(edge) == 1 ? FeatureKind::Boundary : FeatureKind::NonManifold;
+    }
+    const bool bordersLabels = !m_labels.empty() && m_labels[around[0]] != m_labels[around[1]];
+    const double cosine =
+      cosineBetween(m_mesh, m_edges, edge, m_normals[around[0]], m_normals[around[1]]);
+    if (!(cosine > m_flat))
+    {
+      angle = static_cast<float>(std::acos(std::clamp(cosine, -1.0, 1.0)));
+    }
+    return bordersLabels || cosine < m_leastCosine ? FeatureKind::Crease : FeatureKind::None;
+  }
+
+  /** Whether an edge of two facets, one of them a needle, is a crease by their own normals. */
+  bool isSharpByNeedle(Index edge) const
+  {
+    const FacetShape& a = m_shapes[this->facetsAt(edge)[0]];
+    const FacetShape& b = m_shapes[this->facetsAt(edge)[1]];
+    return (a.needle || b.needle) &&
+      cosineBetween(m_mesh, m_edges, edge, a.normal, b.normal) < m_leastCosine;
+  }
+
+private:
+  const Index* facetsAt(Index edge) const
+  {
+    return m_edges.edgeFacets.data() + m_edges.edgeFacetsBegin[edge];
+  }
+
+  const SurfaceMesh& m_mesh;
+  const EdgeTable& m_edges;
+  const std::vector<FacetShape>& m_shapes;
+  const std::vector<Point3>& m_normals;
+  const std::vector<Index>& m_labels;
+  double m_flat;
+  double m_leastCosine;
+};
 }
 
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
@@ -247,8 +305,7 @@ FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
 {
   const std::vector<FacetShape> shapes = findShapes(mesh, edges, options, control);
   const std::vector<Point3> normals = reliableNormals(mesh, edges, shapes, control);
-  const double flat = cosineOf(weakShare * options.angleDegrees);
-  const double leastCosine = cosineOf(options.angleDegrees);
+  const EdgeJudge judge(mesh, edges, shapes, normals, options);
   FeatureEdges features;
   features.borrowed = borrowedNormals(shapes, normals);
   features.kinds.resize(static_cast<std::size_t>(edges.numberOfEdges()));
@@ -256,30 +313,12 @@ FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const auto findKind = [&](Offset item)
   {
     const auto edge = static_cast<Index>(item);
-    const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
-    if (edges.valence(edge) != 2)
-    {
-      features.kinds[edge] =
-        edges.valence(edge) == 1 ? FeatureKind::Boundary : FeatureKind::NonManifold;
-      return;
-    }
-    const bool bordersLabels = !options.facetLabels.empty() &&
-      options.facetLabels[around[0]] != options.facetLabels[around[1]];
-    const double cosine = cosineBetween(mesh, edges, edge, normals[around[0]], normals[around[1]]);
-    features.angles[edge] =
-      cosine > flat ? 0.0F : static_cast<float>(std::acos(std::clamp(cosine, -1.0, 1.0)));
-    features.kinds[edge] =
-      bordersLabels || cosine < leastCosine ? FeatureKind::Crease : FeatureKind::None;
+    features.kinds[edge] = judge.kindOf(edge, features.angles[edge]);
   };
-  // Sides of needles that are creases by the needles' own normals, and no features.
   const auto isLeftOut = [&](Offset item)
   {
-    const auto edge = static_cast<Index>(item);
-    const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
-    return features.kinds[edge] == FeatureKind::None &&
-      (shapes[around[0]].needle || shapes[around[1]].needle) &&
-      cosineBetween(mesh, edges, edge, shapes[around[0]].normal, shapes[around[1]].normal) <
-      leastCosine;
+    return features.kinds[item] == FeatureKind::None &&
+      judge.isSharpByNeedle(static_cast<Index>(item));
   };
   if (forEachItem(edges.numberOfEdges(), control, findKind))
   {
