@@ -1,15 +1,54 @@
+/**
+ * @file DiagramUpdate.cxx
+ *
+ * Runs of facets that keep their pieces move as a whole, to where they are among the others': those
+ * that move back from the last on, those that move forth from the first on. So no run is written
+ * over before it has moved, whatever the changes are.
+ */
 #include "Voronoi/DiagramUpdate.h"
 
 #include "Support/Parallel.h"
 #include "Voronoi/DiagramBlocks.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace remesh
 {
 namespace
 {
-/** Where the pieces of each facet are, before and after. */
+/** Values that stay together. */
+struct Run
+{
+  Index from;
+  Index to;
+  Index count;
+};
+
+/** @param runs ascending; of all values that are kept. */
+template <class Value>
+void moveRuns(const std::vector<Run>& runs, std::size_t size, std::vector<Value>& values)
+{
+  values.resize(std::max(values.size(), size));
+  const auto begin = values.begin();
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run)
+  {
+    if (run->to > run->from)
+    {
+      std::copy_backward(
+        begin + run->from, begin + run->from + run->count, begin + run->to + run->count);
+    }
+  }
+  for (const Run& run : runs)
+  {
+    if (run.to < run.from)
+    {
+      std::copy(begin + run.from, begin + run.from + run.count, begin + run.to);
+    }
+  }
+  values.resize(size);
+}
+
 class Update
 {
 public:
@@ -18,118 +57,134 @@ public:
     , m_control(control)
     , m_changes(changes)
     , m_diagram(diagram)
+    , m_facets(static_cast<Index>(changes.facetBegin.size()) - 1)
   {
-    const auto facets = static_cast<Index>(changes.facetBegin.size() - 1);
-    m_facetBegin.push_back(0);
-    for (Index facet = 0; facet < facets; ++facet)
-    {
-      const Diagram& source = this->sourceOf(facet);
-      m_facetBegin.push_back(
-        m_facetBegin.back() + source.facetBegin[facet + 1] - source.facetBegin[facet]);
-    }
   }
 
   Status run()
   {
-    std::vector<Index> vertexBegin;
-    if (Status status = this->placeVertices(vertexBegin); !status.ok())
+    if (Status status = this->findPlaces(); !status.ok())
     {
       return status;
     }
-    const auto renumbered = [&](Index facet, Index site)
-    { return site >= 0 && m_kept.keeps(facet) ? m_kept.later()[site] : site; };
-    bool done = this->takeVertices(vertexBegin, renumbered);
-    done = done && this->takePieces(&Diagram::sites, renumbered);
-    done = done && this->takePieces(&Diagram::facets, [](Index, Index facet) { return facet; });
-    done = done &&
-      this->takePieces(
-        &Diagram::integrals, [](Index, const PieceIntegral& integral) { return integral; });
-    m_diagram.vertexBegin = std::move(vertexBegin);
-    m_diagram.facetBegin = std::move(m_facetBegin);
-    return done ? Status::success() : Status::cancelled();
+    this->findRuns();
+    m_diagram.vertexBegin.swap(m_vertexBegin);
+    m_diagram.facetBegin.swap(m_facetBegin);
+    this->take(&Diagram::integrals, m_pieceRuns);
+    this->take(&Diagram::facets, m_pieceRuns);
+    this->take(&Diagram::sites, m_pieceRuns);
+    this->take(&Diagram::across, m_vertexRuns);
+    m_changes = Diagram{};
+    return this->renumber() ? Status::success() : Status::cancelled();
   }
 
 private:
-  const Diagram& sourceOf(Index facet) const { return m_kept.keeps(facet) ? m_diagram : m_changes; }
-
-  /** Calls `visit(facet, piece, source, its piece)` for all pieces. */
-  template <class Visit>
-  bool forEachPiece(const Visit& visit) const
+  /** Where the pieces of each facet, and their vertices, are afterwards. */
+  Status findPlaces()
   {
-    const auto facets = static_cast<Offset>(m_changes.facetBegin.size()) - 1;
-    return forEachRange(Blocks::cut(facets, 1024, 4096), m_control,
-      [&](Offset begin, Offset end)
-      {
-        for (auto facet = static_cast<Index>(begin); facet < end; ++facet)
-        {
-          const Diagram& source = this->sourceOf(facet);
-          const Index first = source.facetBegin[facet];
-          for (Index piece = m_facetBegin[facet]; piece < m_facetBegin[facet + 1]; ++piece)
-          {
-            visit(facet, piece, source, first + piece - m_facetBegin[facet]);
-          }
-        }
-      });
-  }
-
-  Status placeVertices(std::vector<Index>& vertexBegin) const
-  {
-    vertexBegin.assign(static_cast<std::size_t>(m_facetBegin.back()) + 1, 0);
-    const bool done = this->forEachPiece([&](Index, Index piece, const Diagram& source, Index from)
-      { vertexBegin[piece + 1] = source.vertexBegin[from + 1] - source.vertexBegin[from]; });
+    m_facetBegin.assign(static_cast<std::size_t>(m_facets) + 1, 0);
     std::size_t vertices = 0;
-    for (const Index size : vertexBegin)
+    for (Index facet = 0; facet < m_facets; ++facet)
     {
-      vertices += static_cast<std::size_t>(size);
+      const Diagram& source = m_kept.keeps(facet) ? m_diagram : m_changes;
+      const Index first = source.facetBegin[facet];
+      const Index last = source.facetBegin[facet + 1];
+      m_facetBegin[facet + 1] = m_facetBegin[facet] + last - first;
+      vertices += static_cast<std::size_t>(source.vertexBegin[last] - source.vertexBegin[first]);
     }
     if (Status status = checkNumberOfVertices(vertices); !status.ok())
     {
       return status;
     }
-    for (std::size_t piece = 1; piece < vertexBegin.size(); ++piece)
+    m_vertexBegin.reserve(static_cast<std::size_t>(m_facetBegin.back()) + 1);
+    m_vertexBegin.push_back(0);
+    for (Index facet = 0; facet < m_facets; ++facet)
     {
-      vertexBegin[piece] += vertexBegin[piece - 1];
-    }
-    return done ? Status::success() : Status::cancelled();
-  }
-
-  template <class Later>
-  bool takeVertices(const std::vector<Index>& vertexBegin, const Later& later)
-  {
-    std::vector<Index> across(static_cast<std::size_t>(vertexBegin.back()));
-    const bool done = this->forEachPiece(
-      [&](Index facet, Index piece, const Diagram& source, Index from)
+      const Diagram& source = m_kept.keeps(facet) ? m_diagram : m_changes;
+      for (Index p = source.facetBegin[facet]; p < source.facetBegin[facet + 1]; ++p)
       {
-        const Index size = vertexBegin[piece + 1] - vertexBegin[piece];
-        for (Index v = 0; v < size; ++v)
-        {
-          across[vertexBegin[piece] + v] =
-            later(facet, source.across[source.vertexBegin[from] + v]);
-        }
-      });
-    m_diagram.across = std::move(across);
-    m_changes.across = {};
-    return done;
+        m_vertexBegin.push_back(
+          m_vertexBegin.back() + source.vertexBegin[p + 1] - source.vertexBegin[p]);
+      }
+    }
+    return Status::success();
   }
 
-  /** One array with a value for each piece. */
-  template <class Value, class Later>
-  bool takePieces(std::vector<Value> Diagram::*array, const Later& later)
+  void findRuns()
   {
-    std::vector<Value> values(static_cast<std::size_t>(m_facetBegin.back()));
-    const bool done =
-      this->forEachPiece([&](Index facet, Index piece, const Diagram& source, Index from)
-        { values[piece] = later(facet, (source.*array)[from]); });
-    m_diagram.*array = std::move(values);
-    m_changes.*array = std::vector<Value>();
-    return done;
+    for (Index facet = 0; facet < m_facets; ++facet)
+    {
+      const Index first = facet;
+      while (facet < m_facets && m_kept.keeps(facet))
+      {
+        ++facet;
+      }
+      if (facet > first)
+      {
+        const Index from = m_diagram.facetBegin[first];
+        const Index end = m_diagram.facetBegin[facet];
+        const Index to = m_facetBegin[first];
+        m_pieceRuns.push_back({ from, to, end - from });
+        m_vertexRuns.push_back({ m_diagram.vertexBegin[from], m_vertexBegin[to],
+          m_diagram.vertexBegin[end] - m_diagram.vertexBegin[from] });
+      }
+    }
+  }
+
+  /** One array; what is not in the runs comes from the changes, in the same order. */
+  template <class Value>
+  void take(std::vector<Value> Diagram::*array, const std::vector<Run>& runs)
+  {
+    std::vector<Value>& values = m_diagram.*array;
+    std::vector<Value>& changes = m_changes.*array;
+    Offset kept = 0;
+    for (const Run& run : runs)
+    {
+      kept += run.count;
+    }
+    moveRuns(runs, static_cast<std::size_t>(kept) + changes.size(), values);
+    auto next = changes.begin();
+    Offset at = 0;
+    for (const Run& run : runs)
+    {
+      std::copy(next, next + (run.to - at), values.begin() + at);
+      next += run.to - at;
+      at = Offset(run.to) + run.count;
+    }
+    std::copy(next, changes.end(), values.begin() + at);
+    changes = std::vector<Value>();
+  }
+
+  /** Sites by their later ids; those of the changes have theirs. */
+  bool renumber()
+  {
+    const auto renumberRuns = [&](const std::vector<Run>& runs, std::vector<Index>& ids)
+    {
+      return forEachRange(Blocks::cut(static_cast<Offset>(runs.size()), 1024, 4096), m_control,
+        [&](Offset begin, Offset end)
+        {
+          for (Offset k = begin; k < end; ++k)
+          {
+            for (Index i = runs[k].to; i < runs[k].to + runs[k].count; ++i)
+            {
+              ids[i] = ids[i] < 0 ? ids[i] : m_kept.later()[ids[i]];
+            }
+          }
+        });
+    };
+    return renumberRuns(m_pieceRuns, m_diagram.sites) &&
+      renumberRuns(m_vertexRuns, m_diagram.across);
   }
 
   const KeptPieces& m_kept;
   const RunControl& m_control;
   Diagram& m_changes;
   Diagram& m_diagram;
+  Index m_facets;
   std::vector<Index> m_facetBegin;
+  std::vector<Index> m_vertexBegin;
+  std::vector<Run> m_pieceRuns;
+  std::vector<Run> m_vertexRuns;
 };
 }
 

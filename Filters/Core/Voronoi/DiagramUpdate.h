@@ -10,14 +10,14 @@
 namespace remesh
 {
 /**
- * Replaces the pieces of all facets but those that keep theirs; sites get their later ids. Array
- * by array, so that besides the changes no more than the largest array is held twice.
+ * Replaces the pieces of all facets but those that keep theirs; sites get their later ids. The
+ * arrays stay where they are, as far as there is room: hardly more than the changes is held twice.
  *
  * @param kept of `diagram` as it is before.
  * @param changes the pieces of the other facets; freed as they are taken.
  * @return InvalidInput if the pieces have more vertices than an Index counts, or Cancelled; then
  *         `diagram` is of no use.
- * Cost: O(P + V), in parallel.
+ * Cost: O(P + V), little more than moving the arrays once.
  */
 Status updateDiagram(
   const KeptPieces& kept, Diagram& changes, const RunControl& control, Diagram& diagram);
