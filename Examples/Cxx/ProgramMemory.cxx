@@ -1,9 +1,12 @@
 #include "ProgramMemory.h"
 
+#include <vtkAlgorithm.h>
+
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <utility>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -16,6 +19,24 @@ void KeepFreedMemory()
   mallopt(M_MMAP_THRESHOLD, 1 << 25);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
+}
+
+void MemoryReturn::Execute(vtkObject* caller, unsigned long event, void* vtkNotUsed(callData))
+{
+  auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+  if (event != vtkCommand::ProgressEvent || algorithm == nullptr)
+  {
+    return;
+  }
+  const char* text = algorithm->GetProgressText();
+  std::string phase = text != nullptr ? text : "";
+  if (phase != this->Phase)
+  {
+    this->Phase = std::move(phase);
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+  }
 }
 
 // A sanitizer has its own.

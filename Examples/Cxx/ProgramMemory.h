@@ -9,11 +9,35 @@
 #ifndef ProgramMemory_h
 #define ProgramMemory_h
 
+#include <vtkCommand.h>
+
+#include <string>
+
 /**
  * Keeps memory that is freed for what comes next: large arrays come and go, and pages that are
  * got anew from the system and zeroed each time take up to a twentieth of a run. The largest go
  * back at once.
  */
 void KeepFreedMemory();
+
+/**
+ * Gives back what is kept when an algorithm goes on to another phase, of which it tells in progress
+ * events: what one phase has freed would add to what the next takes.
+ */
+class MemoryReturn : public vtkCommand
+{
+public:
+  static MemoryReturn* New() { return new MemoryReturn; }
+  vtkTypeMacro(MemoryReturn, vtkCommand);
+
+  void Execute(vtkObject* caller, unsigned long event, void* callData) override;
+
+protected:
+  MemoryReturn() = default;
+  ~MemoryReturn() override = default;
+
+private:
+  std::string Phase;
+};
 
 #endif

@@ -194,6 +194,8 @@ void Execute(vtkEmbeddedSurfaceAlgorithm* filter, Run& run)
   SetEmbedding(filter, run.Parameters);
   filter->SetInputData(run.Surface);
   filter->AddObserver(vtkCommand::ProgressEvent, run.Progress);
+  vtkNew<MemoryReturn> memoryReturn;
+  filter->AddObserver(vtkCommand::ProgressEvent, memoryReturn);
   filter->Update();
   StopIfInterrupted();
   run.Log->ThrowIfError("cannot remesh '" + run.Parameters.Input + "'");
