@@ -168,6 +168,14 @@ void testFewChange()
   const std::vector<Index> around = kept.sitesAround(sites);
   CHECK(std::binary_search(around.begin(), around.end(), 450));
   CHECK(around.size() < 40);
+  // What is kept stays where it is, if there is room.
+  Diagram diagram = earlier.diagram;
+  diagram.integrals.reserve(2 * diagram.integrals.size());
+  const PieceIntegral* const memory = diagram.integrals.data();
+  CellSums sums;
+  const EarlierSites known{ earlier.sites, earlier.owners };
+  CHECK(RestrictedVoronoi(surface).decompose(sites, RunControl(), sums, diagram, &known).ok());
+  CHECK(diagram.integrals.data() == memory);
 }
 }
 

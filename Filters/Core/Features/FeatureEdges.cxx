@@ -240,6 +240,7 @@ std::vector<FacetNormal> borrowedNormals(
   }
   return borrowed;
 }
+
 /** Tells features from other edges. */
 class EdgeJudge
 {

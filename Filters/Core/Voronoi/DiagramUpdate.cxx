@@ -158,22 +158,25 @@ private:
   /** Sites by their later ids; those of the changes have theirs. */
   bool renumber()
   {
-    const auto renumberRuns = [&](const std::vector<Run>& runs, std::vector<Index>& ids)
-    {
-      return forEachRange(Blocks::cut(static_cast<Offset>(runs.size()), 1024, 4096), m_control,
-        [&](Offset begin, Offset end)
+    const std::vector<Index>& later = m_kept.later();
+    return forEachRange(Blocks::cut(m_facets, 1024, 4096), m_control,
+      [&](Offset begin, Offset end)
+      {
+        for (auto facet = static_cast<Index>(begin); facet < end; ++facet)
         {
-          for (Offset k = begin; k < end; ++k)
+          const Index first = m_diagram.facetBegin[facet];
+          const Index last = m_kept.keeps(facet) ? m_diagram.facetBegin[facet + 1] : first;
+          for (Index p = first; p < last; ++p)
           {
-            for (Index i = runs[k].to; i < runs[k].to + runs[k].count; ++i)
-            {
-              ids[i] = ids[i] < 0 ? ids[i] : m_kept.later()[ids[i]];
-            }
+            m_diagram.sites[p] = later[m_diagram.sites[p]];
           }
-        });
-    };
-    return renumberRuns(m_pieceRuns, m_diagram.sites) &&
-      renumberRuns(m_vertexRuns, m_diagram.across);
+          for (Index v = m_diagram.vertexBegin[first]; v < m_diagram.vertexBegin[last]; ++v)
+          {
+            const Index across = m_diagram.across[v];
+            m_diagram.across[v] = across < 0 ? across : later[across];
+          }
+        }
+      });
   }
 
   const KeptPieces& m_kept;

@@ -159,6 +159,9 @@ Status RestrictedVoronoi::decompose(const Sites& sites, const RunControl& contro
 {
   ++m_evaluations;
   sums = CellSums{};
+  Diagram changes; // the pieces of the facets that are not kept
+  Diagram& made = earlier ? changes : diagram;
+  beginDiagram(made);
   std::optional<KeptPieces> pieces;
   if (earlier)
   {
@@ -174,9 +177,6 @@ Status RestrictedVoronoi::decompose(const Sites& sites, const RunControl& contro
   {
     return status;
   }
-  Diagram changes; // the pieces of the facets that are not kept
-  Diagram& made = kept ? changes : diagram;
-  beginDiagram(made);
   Status status = dispatchDimension(m_surface.dimension,
     [&](auto dimension)
     { return this->cut<decltype(dimension)::value>(sites, kept, control, sums, &made); });
