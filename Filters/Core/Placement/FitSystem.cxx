@@ -98,6 +98,30 @@ bool addGroup(
     });
 }
 
+/** What all samples add, group by group. */
+bool sumSamples(const PlacementProblem& problem, const VertexStars& stars,
+  const std::vector<Point3>& positions, FitSamples& samples, const RunControl& control,
+  FitSystem& system)
+{
+  const std::vector<Point3> normals = normalsOf(problem.triangles, positions);
+  ScratchPool<StarFit> pool(
+    [&]() { return std::make_unique<StarFit>(problem, stars, positions, normals); });
+  const Offset count = samples.blocks().count();
+  system.blockSums.resize(static_cast<std::size_t>(std::min(blocksPerGroup, count)));
+  for (Offset first = 0; first < count; first += blocksPerGroup)
+  {
+    const Offset size = std::min(blocksPerGroup, count - first);
+    if (!forEachBlock(size, control.silent(),
+          [&](Offset block)
+          { pool.borrow()->sum(samples, first + block, system.blockSums[block]); }) ||
+      !addGroup(problem, size, control, system))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 template <class Real>
 void addToDiagonal(Real value, Symmetric3<Real>& block)
 {
@@ -161,21 +185,6 @@ bool addStiffness(const std::vector<Point3>& positions, const std::vector<Point3
     });
 }
 
-/** The inverses of the blocks on the diagonal, zero at vertices that must not move. */
-bool invertBlocks(const RunControl& control, FitSystem& system)
-{
-  system.inverses.assign(system.vertexBlocks.size(), Symmetric3<double>::Zero());
-  return forEachItem(static_cast<Offset>(system.inverses.size()), control.silent(),
-    [&](Offset v)
-    {
-      if (!system.frozen[v])
-      {
-        const Eigen::Matrix3d inverse = matrixOf(system.vertexBlocks[v]).inverse();
-        system.inverses[v] << inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1),
-          inverse(1, 2), inverse(2, 2);
-      }
-    });
-}
 }
 
 Point3 FitSystem::row(const VectorField& x, std::size_t i) const
@@ -194,7 +203,14 @@ Point3 FitSystem::row(const VectorField& x, std::size_t i) const
 
 Point3 FitSystem::precondition(const Point3& r, std::size_t i) const
 {
-  return multiply(this->inverses[i], r);
+  if (this->frozen[i])
+  {
+    return Point3::Zero();
+  }
+  const Eigen::Matrix3d inverse = matrixOf(this->vertexBlocks[i]).inverse();
+  Symmetric3<double> upper;
+  upper << inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1), inverse(1, 2), inverse(2, 2);
+  return multiply(upper, r);
 }
 
 FitSystem makeFitSystem(const PlacementProblem& problem)
@@ -250,28 +266,15 @@ bool assembleFit(const PlacementProblem& problem, const VertexStars& stars,
   system.slopes.assign(vertices, Point3::Zero());
   system.weights.assign(vertices, 0.0);
   system.triangleNormals.assign(problem.triangles.size(), Point3::Zero());
-  const std::vector<Point3> normals = normalsOf(problem.triangles, positions);
-  ScratchPool<StarFit> pool(
-    [&]() { return std::make_unique<StarFit>(problem, stars, positions, normals); });
-  const Offset count = samples.blocks().count();
-  system.blockSums.resize(static_cast<std::size_t>(std::min(blocksPerGroup, count)));
-  for (Offset first = 0; first < count; first += blocksPerGroup)
+  if (!sumSamples(problem, stars, positions, samples, control, system))
   {
-    const Offset size = std::min(blocksPerGroup, count - first);
-    if (!forEachBlock(size, control.silent(),
-          [&](Offset block)
-          { pool.borrow()->sum(samples, first + block, system.blockSums[block]); }) ||
-      !addGroup(problem, size, control, system))
-    {
-      return false;
-    }
+    return false;
   }
   system.frozen.assign(vertices, 0);
   for (std::size_t v = 0; v < vertices; ++v)
   {
     system.frozen[v] = problem.isFixed(v) || !(system.weights[v] > 0.0);
   }
-  return findStiffness(control, system) && addStiffness(positions, shapes, control, system) &&
-    invertBlocks(control, system);
+  return findStiffness(control, system) && addStiffness(positions, shapes, control, system);
 }
 }

@@ -23,14 +23,13 @@ using Symmetric3 = Eigen::Matrix<Real, 6, 1>;
  */
 struct FitSystem
 {
-  std::vector<Symmetric3<double>> vertexBlocks; ///< K
+  std::vector<Symmetric3<double>> vertexBlocks; ///< K, definite but at frozen vertices
   /**
    * E; the solver's time goes into reading them. Floats lose 1e-8 to 2e-7 of a vertex's weight, and
    * the damping is at least 9e-7 of it: the system stays definite.
    */
   std::vector<Symmetric3<float>> edgeBlocks;
-  std::vector<Symmetric3<double>> inverses; ///< K, of the vertices' blocks; zero at frozen ones
-  std::vector<Point3> slopes;               ///< K, the right-hand side; 0 at fixed vertices
+  std::vector<Point3> slopes;    ///< K, the right-hand side; 0 at fixed vertices
   std::vector<double> weights;   ///< K, sum of W_p w_pv^2, areas in FitSamples::unit() squared
   std::vector<double> stiffness; ///< K, of the springs
 
@@ -48,6 +47,7 @@ struct FitSystem
   std::vector<char> frozen;          ///< K, vertices that must not move
 
   Point3 row(const VectorField& x, std::size_t i) const;
+  /** By the inverse of the vertex's block; zero at frozen vertices. */
   Point3 precondition(const Point3& r, std::size_t i) const;
 };
 

@@ -23,6 +23,33 @@ constexpr int fineRounds = 2;
 constexpr double relaxation = 1.5;
 constexpr double momentum = 0.3;
 constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-2 }; // the next round sees to the rest
+
+/**
+ * The places where the system's solution sends the vertices.
+ *
+ * @param before the positions a round ago, from which a vertex goes on by its `again`-fold.
+ * @param goals K, replaced. The system's slopes are used up.
+ * @return false when cancelled.
+ */
+bool findGoals(FitSystem& system, const std::vector<Point3>& positions,
+  const std::vector<Point3>& before, double step, double again, const RunControl& control,
+  std::vector<Point3>& goals)
+{
+  VectorField displacements(positions.size(), Point3::Zero());
+  if (!solveConjugateGradients(system, solverLimits, control, system.slopes, displacements))
+  {
+    return false;
+  }
+  goals = positions;
+  for (std::size_t v = 0; v < goals.size(); ++v)
+  {
+    if (!system.frozen[v] && displacements[v].allFinite())
+    {
+      goals[v] += step * displacements[v] + again * (positions[v] - before[v]);
+    }
+  }
+  return true;
+}
 }
 
 Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& shapes,
@@ -41,29 +68,12 @@ Status fitToSurface(const PlacementProblem& problem, const std::vector<Point3>& 
       // For two rounds, keeping these takes as long as making them again.
       samples.emplace(problem, samplesPerVertex, 0.0);
     }
-    if (!assembleFit(problem, stars, positions, shapes, *samples, control, system))
-    {
-      return Status::cancelled();
-    }
-    VectorField displacements(positions.size(), Point3::Zero());
-    // The slopes are summed anew in the next round.
-    if (!solveConjugateGradients(system, solverLimits, control, system.slopes, displacements))
-    {
-      return Status::cancelled();
-    }
     const double step = round + 1 < rounds ? relaxation : 1.0;
     const double again = isCoarse ? momentum : 0.0;
-    std::vector<Point3> goals(positions.size());
-    for (std::size_t v = 0; v < goals.size(); ++v)
-    {
-      const bool moves = !system.frozen[v] && displacements[v].allFinite();
-      goals[v] = positions[v];
-      if (moves)
-      {
-        goals[v] += step * displacements[v] + again * (positions[v] - before[v]);
-      }
-    }
-    if (!limitSteps(problem, stars, { shapes, system.triangleNormals }, positions, control, goals))
+    std::vector<Point3> goals;
+    if (!assembleFit(problem, stars, positions, shapes, *samples, control, system) ||
+      !findGoals(system, positions, before, step, again, control, goals) ||
+      !limitSteps(problem, stars, { shapes, system.triangleNormals }, positions, control, goals))
     {
       return Status::cancelled();
     }

@@ -74,7 +74,8 @@ bool solveConjugateGradients(const Matrix& matrix, const ConjugateGradientsLimit
           {
             x[i] += step * direction[i];
             residual[i] -= step * image[i];
-            return residual[i].dot(matrix.precondition(residual[i], i));
+            image[i] = matrix.precondition(residual[i], i); // the image itself has served
+            return residual[i].dot(image[i]);
           },
           next))
     {
@@ -87,7 +88,7 @@ bool solveConjugateGradients(const Matrix& matrix, const ConjugateGradientsLimit
           {
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
-              direction[i] = matrix.precondition(residual[i], i) + turn * direction[i];
+              direction[i] = image[i] + turn * direction[i];
             }
           }))
     {
