@@ -184,7 +184,6 @@ bool addStiffness(const std::vector<Point3>& positions, const std::vector<Point3
       }
     });
 }
-
 }
 
 Point3 FitSystem::row(const VectorField& x, std::size_t i) const
