@@ -207,7 +207,7 @@ Point3 FitSystem::precondition(const Point3& r, std::size_t i) const
     return Point3::Zero();
   }
   const Eigen::Matrix3d inverse = matrixOf(this->vertexBlocks[i]).inverse();
-  Symmetric3<double> upper;
+  Symmetric3<double> upper; // alone: symmetric to the last bit
   upper << inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1), inverse(1, 2), inverse(2, 2);
   return multiply(upper, r);
 }

@@ -27,7 +27,9 @@ constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-2 }; // the next round 
 /**
  * The places where the system's solution sends the vertices.
  *
- * @param before the positions a round ago, from which a vertex goes on by its `again`-fold.
+ * @param before K, the positions a round ago.
+ * @param step how far to go along the displacements, 1: to their ends.
+ * @param again how much of the way since `before` to go once more.
  * @param goals K, replaced. The system's slopes are used up.
  * @return false when cancelled.
  */
