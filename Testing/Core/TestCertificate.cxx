@@ -245,6 +245,17 @@ void testPinches()
   const std::vector<Index>& failing = few.topology.certificate.cells;
   CHECK(std::binary_search(failing.begin(), failing.end(), cell));
 }
+
+/** So it is where three sheets meet on a line, also at its ends, where three borders end. */
+void testThreeSheets()
+{
+  const RemeshResult result = remeshed(test::threeSheets(), 200);
+  CHECK(!result.topology.preserved());
+  CHECK(result.topology.certificate.holds());
+  CHECK_EQUAL(result.topology.mesh.eulerCharacteristic, 1);
+  CHECK_EQUAL(result.components.count(), Index(200));
+  CHECK_EQUAL(result.movedSites, 0);
+}
 }
 
 int TestCertificate(int, char*[])
@@ -254,5 +265,6 @@ int TestCertificate(int, char*[])
   testRandomSites();
   testFeatures();
   testPinches();
+  testThreeSheets();
   return test::result();
 }

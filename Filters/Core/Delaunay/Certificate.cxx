@@ -75,7 +75,10 @@ std::vector<Pair> findCrowded(const Seams* seams)
   return crowded;
 }
 
-/** How often the border of the surface may pass from each vertex to another. */
+/**
+ * How often the border of the surface may pass from each vertex to another: as often as borders end
+ * there, at a pinch and where a curve of more than two sheets ends.
+ */
 std::vector<Index> mostCrossings(const Seams* seams, Index numberOfVertices)
 {
   std::vector<Index> most(static_cast<std::size_t>(numberOfVertices), 2);
@@ -83,6 +86,20 @@ std::vector<Index> mostCrossings(const Seams* seams, Index numberOfVertices)
   {
     seams->forEachPinch([&](Index vertex, const Pinch& pinch)
       { most[vertex] = std::max(most[vertex], pinch.borders); });
+    std::vector<Index> borders(most.size(), 0);
+    std::vector<char> isCrowded(most.size(), 0);
+    for (const FeatureSegment& segment : seams->segments)
+    {
+      for (const Index end : segment.ends)
+      {
+        borders[end] += segment.kind == FeatureKind::Boundary;
+        isCrowded[end] = isCrowded[end] || segment.kind == FeatureKind::NonManifold;
+      }
+    }
+    for (std::size_t k = 0; k < most.size(); ++k)
+    {
+      most[k] = isCrowded[k] ? std::max(most[k], borders[k]) : most[k];
+    }
   }
   return most;
 }

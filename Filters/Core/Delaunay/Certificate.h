@@ -34,7 +34,8 @@
  * - two cells meet in as many segments as half of the ends that their common edge has: triangles
  *   of the dual, repeated ones included, and points on the border of M.
  *
- * Along curves of more than two sheets the same is checked sheet by sheet. At pinches, where parts
+ * Along curves of more than two sheets the same is checked sheet by sheet, and where such a curve
+ * ends on the border of M, as many borders may leave the cell as end there. At pinches, where parts
  * of M meet in just a point, a cell may be several disks, and its part of the border of M as many
  * segments as the point has borders. As M is no manifold, nothing is proven then.
  */
