@@ -163,8 +163,8 @@ Status mendAll(
       return Status::success();
     }
     const SharedSites earlier = carried.sites;
-    const Index moved =
-      earlier && round < mostRounds ? mend(task, rest.silent(), repair, result) : 0;
+    const bool mayChange = earlier && (round < mostRounds || repair.pruning.isTrying());
+    const Index moved = mayChange ? mend(task, rest.silent(), repair, result) : 0;
     result.seconds.repair += watch.lap();
     if (moved == 0)
     {

@@ -16,8 +16,10 @@ namespace remesh
  * 1. where cells reach a feature curve, their sites join the curve;
  * 2. where the certificate fails, sites are added, and others taken away (RepairStage); where none
  *    can be, curves that other cells on features reach get places;
- * 3. where the number of vertices is not what was asked for, sites are added or taken away;
- * 4. where triangles are flipped, and then where they face another part of the surface the wrong
+ * 3. where it holds without some of the sites that were added, these go where they are missed
+ *    (SitePruning.h);
+ * 4. where the number of vertices is not what was asked for, sites are added or taken away;
+ * 5. where triangles are flipped, and then where they face another part of the surface the wrong
  *    way, sites are added, and others taken away.
  *
  * The first changes are followed by a few steps of Lloyd's around them; later ones change nothing

@@ -4,9 +4,11 @@
 #include "Delaunay/TopologyRepair.h"
 #include "Placement/StrayTriangles.h"
 #include "RemeshFacing.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -27,6 +29,25 @@ constexpr int settledAdjustments = 4; // later ones change nothing but what they
 constexpr int mostFlipRounds = 8;     // in which sites go to flipped triangles
 constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
+
+/** Sites where the certificate fails, or all that reach curves if more do than may; ascending. */
+std::vector<Index> failingSites(const RemeshResult& result, std::size_t mostIntrusions)
+{
+  std::vector<Index> failing = failingComponents(result.topology.certificate);
+  for (Index& component : failing)
+  {
+    component = result.components.sites[component];
+  }
+  if (result.seams.intrusions.size() > mostIntrusions)
+  {
+    for (const Intrusion& intrusion : result.seams.intrusions)
+    {
+      failing.push_back(intrusion.site);
+    }
+  }
+  sortUnique(failing);
+  return failing;
+}
 
 /** Adds these sites, and others or none, so that the mesh has as many vertices as wanted. */
 Index revise(Refinement refinement, const Certificate& failures, Offset wanted, const Task& task,
@@ -54,9 +75,9 @@ RepairStage nextStage(const Task& task, const Repair& repair, const RemeshResult
 {
   const Offset extra = task.options.maximumExtraPoints;
   const bool hopeless = isHopeless(repair.fewestFailures, result);
-  if (repair.stage == RepairStage::Refine && !hopeless)
+  if (repair.stage < RepairStage::Persist && !hopeless)
   {
-    return RepairStage::CutTips;
+    return repair.stage == RepairStage::Refine ? RepairStage::CutTips : RepairStage::Persist;
   }
   return repair.stage != RepairStage::BeyondNumber && extra > 0 &&
       (!hopeless || extra > repair.fewestFailures)
@@ -147,6 +168,7 @@ bool enterNextStage(const Task& task, Repair& repair, RemeshResult& result)
   repair.flipRounds = wasForFlips ? mostFlipRounds : 0;
   repair.rounds = 0;
   repair.idleRounds = 0;
+  repair.failingMass = std::numeric_limits<double>::infinity();
   repair.wentBack = shareSites(result, repair) != repair.best.sites;
   restoreState(repair, result); // its counts, too, where the sites are the same
   return repair.wentBack;
@@ -189,6 +211,31 @@ Index repairTopology(
   }
   repair.rounds = mostRepairs;
   return repairTopology(task, control, repair, result);
+}
+
+/** Takes sites that were added for the topology, and are of no use, to where they are. */
+Index pruneSites(const Task& task, Repair& repair, RemeshResult& result)
+{
+  SitePruning& pruning = repair.pruning;
+  const bool isUndone = pruning.isTrying() &&
+    !pruning.judge(failingSites(result, repair.intrusions), result.components.count());
+  if (!isUndone)
+  {
+    repair.intrusions = result.seams.intrusions.size();
+    if (!result.topology.certificate.holds() || repair.flipRounds > 0 ||
+      !pruning.choose({ task.surface, result.sites, result.diagram }, result.components,
+        result.dual,
+        { shareSites(result, repair), repair.counts.addedSites, result.components.count(),
+          wantedVertices(task.options, result, repair), repair.counts.extraPoints }))
+    {
+      return 0;
+    }
+  }
+  SitePruning::Trial trial = pruning.next();
+  result.sites = std::move(trial.sites);
+  repair.counts.addedSites = trial.added;
+  repair.counts.extraPoints = trial.extraPoints;
+  return 1;
 }
 
 /** Whether two rounds of sites have not even halved what they were for. */
@@ -293,6 +340,13 @@ Offset nextNumber(Offset wanted, const RemeshResult& result)
 Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   repair.wentBack = false;
+  if (repair.pruning.isTrying())
+  {
+    if (const Index touched = pruneSites(task, repair, result); touched > 0)
+    {
+      return touched;
+    }
+  }
   if (task.features && repair.refinements < mostRefinements)
   {
     if (const Index touched = repairCurves(task, result.seams.intrusions, control, repair, result);
@@ -313,6 +367,10 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
       return touched;
     }
   }
+  if (const Index touched = pruneSites(task, repair, result); touched > 0)
+  {
+    return touched;
+  }
   const Offset wanted = wantedVertices(task.options, result, repair);
   if (task.options.exactNumber && repair.adjustments < mostAdjustments &&
     result.components.count() != wanted)
@@ -332,8 +390,9 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
 
 bool leavesUnsettled(const Repair& repair)
 {
-  return repair.othersStay || repair.adjustments > settledAdjustments ||
-    repair.stage != RepairStage::Refine || repair.rounds > settledRepairs || repair.flipRounds > 0;
+  return repair.othersStay || repair.pruning.hasTried() ||
+    repair.adjustments > settledAdjustments || repair.stage != RepairStage::Refine ||
+    repair.rounds > settledRepairs || repair.flipRounds > 0;
 }
 
 bool othersMustStay(const Repair& repair)

@@ -9,8 +9,9 @@ namespace remesh
 {
 namespace
 {
-constexpr double shrinking = 0.9;    // of the failing cells' mass, too, is to come nearer
-constexpr double fewFailures = 0.03; // of the vertices, with parts of cells, for that
+constexpr double shrinking = 0.9;     // of the failing cells' mass, too, is to come nearer
+constexpr double smallestMass = 1e-4; // of the mean cell's: a hundredth of the sites' spacing
+constexpr double fewFailures = 0.03;  // of the vertices, with parts of cells, for that
 }
 
 SharedSites shareSites(const RemeshResult& result, Repair& repair)
@@ -90,8 +91,10 @@ double failingMass(const RemeshResult& result)
 }
 
 /**
- * Whether the failures have become fewer than ever, or, at first and where they are few, are closed
- * in on: a handle far smaller than the cells takes many sites before it is seen.
+ * Whether the failures have become fewer than ever, or are closed in on: a handle far smaller than
+ * the cells takes many sites before it is seen, but one that is nothing against them is never
+ * reached. Where failures are many, that is left to the last
+ * stages: the first ones may do with fewer sites.
  */
 bool comesNearer(const RemeshResult& result, Repair& repair)
 {
@@ -101,12 +104,17 @@ bool comesNearer(const RemeshResult& result, Repair& repair)
   const Offset parts = result.components.count() - result.numberOfVertexSites();
   const bool areFew = static_cast<double>(failures + parts) <=
     fewFailures * static_cast<double>(result.components.count());
-  if (repair.stage != RepairStage::Refine || !areFew)
+  const bool sizeCounts =
+    repair.stage >= RepairStage::Persist || (repair.stage == RepairStage::Refine && areFew);
+  if (!sizeCounts)
   {
     return areFewer;
   }
   const double mass = failingMass(result);
-  const bool shrink = mass < shrinking * repair.failingMass;
+  const std::vector<double>& all = result.components.mass;
+  const double mean =
+    std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+  const bool shrink = mass < shrinking * repair.failingMass && mass > smallestMass * mean;
   repair.failingMass = areFewer || shrink ? mass : repair.failingMass;
   return areFewer || shrink;
 }

@@ -5,6 +5,7 @@
 #ifndef remesh_RepairState_h
 #define remesh_RepairState_h
 
+#include "Delaunay/SitePruning.h"
 #include "Remesh.h"
 
 #include <limits>
@@ -40,6 +41,7 @@ enum class RepairStage
 {
   Refine,       ///< add sites, take away others
   CutTips,      ///< now and then leave thin tips to the cells around them
+  Persist,      ///< add sites again, as long as what fails becomes smaller
   BeyondNumber, ///< add sites
   GivenUp
 };
@@ -65,11 +67,13 @@ struct Repair
   int rounds = 0;     ///< in this stage
   int idleRounds = 0; ///< in this stage, since one that came nearer than all before
   Offset fewestFailures = std::numeric_limits<Offset>::max();
-  /** Of the cells that failed when it last came nearer, at first, while they were few. */
+  /** In this stage, of the cells that failed when it last came nearer. */
   double failingMass = std::numeric_limits<double>::infinity();
   int flipRounds = 0;               ///< for flipped triangles and for strays
   std::vector<Offset> flipsBefore;  ///< of these rounds, flipped triangles
   std::vector<Offset> straysBefore; ///< likewise
+  SitePruning pruning;              ///< of added sites, once the topology is right
+  std::size_t intrusions = 0;       ///< of curves, before its trial
 
   bool wentBack = false; ///< to the best state, by the last change
 

@@ -308,6 +308,20 @@ void testNarrowHole()
   }
 }
 
+/** Several of them: what fails is no small part, but becomes smaller all the time. */
+void testNarrowHoles()
+{
+  for (const auto& [count, minor, points] : { std::tuple(5, 0.98, 750), std::tuple(8, 0.95, 800) })
+  {
+    TriangleSoup soup;
+    for (int k = 0; k < count; ++k)
+    {
+      append(soup, torus(1.0, minor, 120, 60), Point3(4.0 * k, 0.0, 0.0));
+    }
+    keepingMesh(polyDataOf(soup), points, 0.0);
+  }
+}
+
 /** A wavy plate with square holes close to each other: 17 loops, concave corners, narrow bars. */
 void testHoles()
 {
@@ -362,6 +376,7 @@ int TestTrustedMeshes(int, char*[])
   testBumps();
   testThinSheet();
   testNarrowHole();
+  testNarrowHoles();
   testHoles();
   testVoxels();
   return result();

@@ -189,6 +189,33 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
   return refinement;
 }
 
+std::vector<std::vector<Index>> neighborsOf(const std::vector<Index>& candidates,
+  const Components& components, const Dual& dual, Index numberOfSites)
+{
+  std::vector<Index> numbers(static_cast<std::size_t>(numberOfSites), noIndex);
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+  {
+    numbers[candidates[k]] = static_cast<Index>(k);
+  }
+  std::vector<std::vector<Index>> neighbors(candidates.size());
+  for (const Triple& triangle : dual.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index a = components.sites[triangle[k]];
+      const Index b = components.sites[triangle[(k + 1) % 3]];
+      for (const auto& [site, neighbor] : { std::pair(a, b), std::pair(b, a) })
+      {
+        if (numbers[site] != noIndex && site != neighbor)
+        {
+          neighbors[numbers[site]].push_back(neighbor);
+        }
+      }
+    }
+  }
+  return neighbors;
+}
+
 Refinement refineTriangles(const VertexPlaces& places, const Components& components,
   const Dual& dual, const std::vector<Index>& triangles)
 {
@@ -278,30 +305,13 @@ std::vector<char> distancesOfSites(
 std::vector<Index> takeApart(const std::vector<Index>& candidates, const Components& components,
   const Dual& dual, const Sites& sites, std::size_t wanted, SpareSites& spare)
 {
-  std::vector<Index> numbers(static_cast<std::size_t>(sites.count()), noIndex);
-  for (std::size_t k = 0; k < candidates.size(); ++k)
-  {
-    numbers[candidates[k]] = static_cast<Index>(k);
-  }
-  std::vector<std::vector<Index>> neighbors(candidates.size()); // as far as they are candidates
-  for (const Triple& triangle : dual.triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index a = numbers[components.sites[triangle[k]]];
-      const Index b = numbers[components.sites[triangle[(k + 1) % 3]]];
-      if (a != noIndex && b != noIndex && a != b)
-      {
-        neighbors[a].push_back(b);
-        neighbors[b].push_back(a);
-      }
-    }
-  }
+  const std::vector<std::vector<Index>> neighbors =
+    neighborsOf(candidates, components, dual, sites.count());
   std::vector<Index> taken;
-  std::vector<char> waits(candidates.size(), 0);
+  std::vector<char> waits(static_cast<std::size_t>(sites.count()), 0);
   for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
   {
-    if (!waits[k] && spare.take(sites.site(candidates[k])))
+    if (!waits[candidates[k]] && spare.take(sites.site(candidates[k])))
     {
       taken.push_back(candidates[k]);
       for (const Index neighbor : neighbors[k])
@@ -312,7 +322,7 @@ std::vector<Index> takeApart(const std::vector<Index>& candidates, const Compone
   }
   for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
   {
-    if (waits[k] && spare.take(sites.site(candidates[k])))
+    if (waits[candidates[k]] && spare.take(sites.site(candidates[k])))
     {
       taken.push_back(candidates[k]);
     }
@@ -367,7 +377,8 @@ void removeSites(const std::vector<Index>& removed, Sites& sites)
   sites.coordinates.resize(kept * d);
 }
 
-/** Adds up to `count` sites at the farthest vertices of the components with the most energy. */
+}
+
 void addWhereEnergyIs(
   const VertexPlaces& places, const Components& components, Offset count, Refinement& refinement)
 {
@@ -382,7 +393,6 @@ void addWhereEnergyIs(
       places.diagram, components, byEnergy[k], farthest, [](Index, Index) { return true; });
     count -= addSite(places.diagram, components, farthest, refinement) ? 1 : 0;
   }
-}
 }
 
 Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,

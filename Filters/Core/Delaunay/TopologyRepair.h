@@ -47,6 +47,14 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
 Refinement refineTriangles(const VertexPlaces& places, const Components& components,
   const Dual& dual, const std::vector<Index>& triangles);
 
+/** Adds up to `count` sites, at the farthest vertices of the cells' parts with the most energy. */
+void addWhereEnergyIs(
+  const VertexPlaces& places, const Components& components, Offset count, Refinement& refinement);
+
+/** For each of these sites, those with cells next to its cell; some repeatedly. O(K). */
+std::vector<std::vector<Index>> neighborsOf(const std::vector<Index>& candidates,
+  const Components& components, const Dual& dual, Index numberOfSites);
+
 struct Revision
 {
   Index added = 0; ///< the last sites there are
