@@ -109,7 +109,9 @@ public:
   ///@{
   /**
    * Input points closer than this fraction of the bounding-box diagonal become one point.
-   * 0 to 0.1; default 0: only points with equal coordinates.
+   * 0 to 0.1; default 0: only points with equal coordinates, and the ends of sides that are nothing
+   * but rounding, shorter than 1e-12 of the diagonal. Where points on the border are others but for
+   * rounding, a warning says so.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, 0.1);
   vtkGetMacro(MergeTolerance, double);

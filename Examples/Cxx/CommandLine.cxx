@@ -211,7 +211,7 @@ std::vector<Option> MakeTable()
       Text("--initial-sites", &Options::InitialSites) },
     { "--merge-tolerance", "T",
       "Merge input points closer than this fraction of the bounding-box diagonal, 0 to 0.1. "
-      "Default 0: equal points only.",
+      "Default 0: equal points, and ends of sides that are nothing but rounding.",
       Number("--merge-tolerance", &Options::MergeTolerance, 0.0, 0.1) },
     { "--sampling", "M", "How the first sites are drawn: random or stratified (default).",
       Choice("--sampling", &Options::Sampling, { "random", "stratified" }) },

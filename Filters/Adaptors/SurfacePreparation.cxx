@@ -216,6 +216,12 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
     prepared.warnings.push_back(
       "The surface is not orientable: the mesh cannot be oriented consistently.");
   }
+  if (prepared.intake.nearBorderPoints > 0)
+  {
+    prepared.warnings.push_back("Points on the border are other ones there but for rounding: " +
+      std::to_string(prepared.intake.nearBorderPoints) +
+      ". A MergeTolerance, of 1e-12 say, makes them one and closes the slit between them.");
+  }
   if (Status status = takeFeatures(input, request, progress, prepared); !status.ok())
   {
     return status;

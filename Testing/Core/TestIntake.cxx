@@ -150,6 +150,56 @@ void testMerging()
   CHECK(test::takeIn(crack, mesh, report).ok());
   CHECK_EQUAL(report.mergedPoints, 1);
   CHECK_EQUAL(report.boundaryEdges, 6);
+  CHECK_EQUAL(report.nearBorderPoints, 1);
+  crack.points[3][0] = 1e-6;
+  CHECK(test::takeIn(crack, mesh, report).ok());
+  CHECK_EQUAL(report.nearBorderPoints, 0);
+}
+
+/** A grid bent to a tube whose last column of points is the first one again, but for rounding. */
+void testShortSides()
+{
+  constexpr int n = 24;
+  const auto tube = [](double rounding)
+  {
+    TriangleSoup soup = test::gridPatch(n, 4); // n + 1 columns; then the seam
+    for (std::size_t i = 0; i < soup.points.size(); ++i)
+    {
+      Point3& p = soup.points[i];
+      const double angle = 2.0 * test::pi * p[0];
+      const bool isLast = p[0] == 1.0;
+      p = Point3(isLast ? 1.0 : std::cos(angle), isLast ? rounding : std::sin(angle), p[1]);
+    }
+    std::vector<Offset> first;
+    std::vector<Offset> last;
+    for (std::size_t i = 0; i < soup.points.size(); ++i)
+    {
+      const Point3& p = soup.points[i];
+      if (p[0] == 1.0)
+      {
+        (p[1] == 0.0 ? first : last).push_back(static_cast<Offset>(i));
+      }
+    }
+    for (std::size_t k = 0; k + 1 < last.size(); ++k)
+    {
+      soup.triangles.push_back({ last[k], first[k], last[k + 1] });
+      soup.triangles.push_back({ first[k], first[k + 1], last[k + 1] });
+    }
+    soup.inputCells.resize(soup.triangles.size(), 0);
+    return soup;
+  };
+  SurfaceMesh mesh;
+  IntakeReport report;
+  CHECK(test::takeIn(tube(-2e-16), mesh, report).ok());
+  CHECK_EQUAL(report.mergedPoints, 5);
+  CHECK_EQUAL(report.droppedDegenerate, 8);
+  CHECK_EQUAL(report.boundaryEdges, 2 * n);
+  CHECK_EQUAL(mesh.numberOfPoints(), 5 * n);
+  CHECK_EQUAL(report.nearBorderPoints, 0);
+  // What is small but no rounding stays.
+  CHECK(test::takeIn(tube(-1e-9), mesh, report).ok());
+  CHECK_EQUAL(report.mergedPoints, 0);
+  CHECK_EQUAL(mesh.numberOfFacets(), 2 * n * 4 + 8);
 }
 
 /** The clusters by definition: all pairs, until nothing changes. */
@@ -393,6 +443,7 @@ int TestIntake(int, char*[])
   testCounts();
   testProvenance();
   testMerging();
+  testShortSides();
   testMergeDistance();
   testDegenerate();
   testDuplicates();

@@ -5,6 +5,9 @@
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
+#include "vtkNew.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
 
 #include <functional>
 
@@ -347,6 +350,43 @@ void testRepairs()
   CHECK_EQUAL(merged->GetNumberOfMergedPoints(), 5);
   CHECK_NEAR(areaOf(merged->GetVoronoiCellsOutput()), 2.0, 1e-6);
 }
+
+/** VTK closes a torus with strips as wide as its rounding: they are no surface. */
+void testClosedByRounding()
+{
+  vtkNew<vtkParametricTorus> shape;
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(shape);
+  source->SetUResolution(120);
+  source->SetVResolution(60);
+  source->Update();
+  const Filter filter = remesh(source->GetOutput(), 1000, areaOf(source->GetOutput()));
+  CHECK_EQUAL(filter->GetNumberOfDroppedTriangles(), 358); // two of each of 119 + 60 squares
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), 2000);
+  const auto preserved = arrayOf(filter->GetOutput()->GetFieldData(), "TopologyPreserved");
+  CHECK_EQUAL(preserved->GetTuple1(0), 1.0);
+  CHECK_EQUAL(
+    arrayOf(filter->GetOutput()->GetFieldData(), "NumberOfFlippedTriangles")->GetTuple1(0), 0.0);
+}
+
+/** A slit as wide as rounding stays, as points of other coordinates are others, and is told. */
+void testSlit()
+{
+  TriangleSoup soup = gridPatch(4, 4);
+  append(soup, gridPatch(4, 4), Point3(1.0 + 4e-16, 0.0, 0.0));
+  for (const double tolerance : { 0.0, 1e-12 })
+  {
+    auto filter = Filter::New();
+    filter->SetInputData(polyDataOf(soup));
+    filter->SetNumberOfPoints(50);
+    filter->SetMergeTolerance(tolerance);
+    Messages messages(filter);
+    filter->Update();
+    CHECK_EQUAL(filter->GetNumberOfInputComponents(), tolerance > 0.0 ? 1 : 2);
+    CHECK_EQUAL(messages.warnings().size(), std::size_t(tolerance > 0.0 ? 0 : 1));
+    CHECK(tolerance > 0.0 || messages.warnings()[0].find("MergeTolerance") != std::string::npos);
+  }
+}
 }
 
 int TestSurfaceKinds(int, char*[])
@@ -360,5 +400,7 @@ int TestSurfaceKinds(int, char*[])
   testSplitPoints();
   testSphereNormals();
   testRepairs();
+  testClosedByRounding();
+  testSlit();
   return result();
 }

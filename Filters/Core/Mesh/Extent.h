@@ -12,14 +12,28 @@
 namespace remesh
 {
 /** Length of the diagonal of the points' bounding box; 0 without points. */
-inline double boundingBoxDiagonal(const SurfaceMesh& mesh)
+inline double boundingBoxDiagonal(const std::vector<Point3>& points)
 {
   Eigen::AlignedBox3d box;
-  for (const Point3& point : mesh.points)
+  for (const Point3& point : points)
   {
     box.extend(point);
   }
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+inline double boundingBoxDiagonal(const SurfaceMesh& mesh)
+{
+  return boundingBoxDiagonal(mesh.points);
+}
+
+/**
+ * Points nearer than this differ by no more than the rounding of what computed them, like those on
+ * the seam of a closed parametric surface.
+ */
+inline double roundingOfPoints(const std::vector<Point3>& points)
+{
+  return 1e-12 * boundingBoxDiagonal(points);
 }
 
 /** A triangle less high than this has no normal: coordinates in single precision cannot tell it. */

@@ -3,7 +3,7 @@
  *
  * 1. Check sizes and ids; collect the points that triangles use; check their coordinates
  *    (IntakeDraft).
- * 2. Merge coincident points (Weld).
+ * 2. Merge coincident points (Weld), and the ends of sides that are nothing but rounding.
  * 3. Drop degenerate triangles, without opening slits (CapSplit), then duplicates (Duplicates).
  * 4. Make the orientation consistent shell by shell (Orientation), in the order of the input, so
  *    that "the first facet" means the caller's first.
@@ -19,6 +19,7 @@
 #include "Mesh/CapSplit.h"
 #include "Mesh/Duplicates.h"
 #include "Mesh/EdgeTable.h"
+#include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
 #include "Mesh/IntakeDraft.h"
 #include "Mesh/Orientation.h"
@@ -26,8 +27,10 @@
 #include "Mesh/Weld.h"
 #include "Support/DisjointSets.h"
 #include "Support/Grouping.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <new>
 #include <numeric>
@@ -36,6 +39,48 @@ namespace remesh
 {
 namespace
 {
+/** Makes the ends of sides that are nothing but rounding one point, the lowest. */
+bool mergeShortSides(const Draft& draft, const RunControl& control, std::vector<Index>& lowest)
+{
+  const double least = roundingOfPoints(draft.points);
+  const auto count = static_cast<Offset>(draft.facets.size());
+  const auto forEachShortSide = [&](const auto& visit)
+  {
+    return forEachItem(count, control,
+      [&](Offset f)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const Index a = lowest[draft.facets[f][k]];
+          const Index b = lowest[draft.facets[f][(k + 1) % 3]];
+          if (a != b && (draft.points[a] - draft.points[b]).norm() < least)
+          {
+            visit(a, b);
+          }
+        }
+      });
+  };
+  std::atomic<bool> isAny = false;
+  if (!forEachShortSide([&](Index, Index) { isAny.store(true, std::memory_order_relaxed); }))
+  {
+    return false;
+  }
+  if (!isAny.load())
+  {
+    return true;
+  }
+  DisjointSets sets(draft.points.size());
+  if (!forEachShortSide([&](Index a, Index b) { sets.unite(a, b); }))
+  {
+    return false;
+  }
+  for (Index& point : lowest)
+  {
+    point = sets.find(point);
+  }
+  return true;
+}
+
 Status mergePoints(
   const IntakeOptions& options, const RunControl& control, Draft& draft, IntakeReport& report)
 {
@@ -45,8 +90,12 @@ Status mergePoints(
     return Status::invalid(
       sentence("The merge distance must be finite and not negative, but is ", distance, "."));
   }
-  const std::vector<Index> lowest = distance > 0.0 ? weldNearPoints(draft.points, distance, control)
-                                                   : weldEqualPoints(draft.points, control);
+  std::vector<Index> lowest = distance > 0.0 ? weldNearPoints(draft.points, distance, control)
+                                             : weldEqualPoints(draft.points, control);
+  if (control.cancelled() || !mergeShortSides(draft, control.silent(), lowest))
+  {
+    return Status::cancelled();
+  }
   const Offset merged = countItems(static_cast<Offset>(lowest.size()), control.silent(),
     [&](Offset i) { return lowest[i] != static_cast<Index>(i); });
   report.mergedPoints = std::max<Offset>(merged, 0);
@@ -124,6 +173,36 @@ Status dropBadFacets(
   return Status::success();
 }
 
+/** Points on the border that are another one but for rounding. */
+Offset countNearBorderPoints(const Draft& draft, const EdgeTable& edges, const RunControl& control)
+{
+  std::vector<Index> border;
+  for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+  {
+    if (edges.valence(edge) == 1)
+    {
+      const Index facet = edges.edgeFacets[edges.edgeFacetsBegin[edge]];
+      const int k = edges.sideOf(facet, edge);
+      border.insert(border.end(), { draft.facets[facet][k], draft.facets[facet][(k + 1) % 3] });
+    }
+  }
+  sortUnique(border);
+  std::vector<Point3> points(border.size());
+  std::transform(
+    border.begin(), border.end(), points.begin(), [&](Index point) { return draft.points[point]; });
+  const double distance = roundingOfPoints(draft.points);
+  Offset count = 0;
+  if (!points.empty() && distance > 0.0)
+  {
+    const std::vector<Index> lowest = weldNearPoints(points, distance, control);
+    for (std::size_t k = 0; k < lowest.size(); ++k)
+    {
+      count += lowest[k] != static_cast<Index>(k);
+    }
+  }
+  return count;
+}
+
 /** Finds out which facets to turn round, and fills the edges' part of the report. */
 Orientation orient(const Draft& draft, const RunControl& control, IntakeReport& report)
 {
@@ -135,6 +214,7 @@ Orientation orient(const Draft& draft, const RunControl& control, IntakeReport& 
   };
   report.boundaryEdges = count([](Index valence) { return valence == 1; });
   report.nonManifoldEdges = count([](Index valence) { return valence > 2; });
+  report.nearBorderPoints = countNearBorderPoints(draft, edges, control.silent());
   Orientation orientation;
   if (isOriented(draft.facets, edges, control) || control.cancelled())
   {

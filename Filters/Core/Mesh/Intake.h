@@ -38,6 +38,7 @@ struct IntakeReport
   Index components = 0;         ///< connected through shared points
   Index nonManifoldEdges = 0;   ///< edges of more than two facets
   Index boundaryEdges = 0;      ///< edges of one facet
+  Offset nearBorderPoints = 0;  ///< on the border, another one but for rounding: a slit, as a rule
   bool orientable = true;       ///< every component has a consistent orientation
 
   Offset dropped() const { return this->droppedDegenerate + this->droppedDuplicate; }
@@ -47,6 +48,8 @@ struct IntakeReport
  * Merges coincident points, drops degenerate and duplicate triangles and unused points, makes the
  * orientation consistent, and orders facets and points along a Hilbert curve.
  *
+ * - Coincident: by `mergeDistance`, or the ends of a side that is nothing but rounding
+ *   (`roundingOfPoints`), as between the first and the last points of a closed grid.
  * - Degenerate: two corners are one point, or their area is nothing but rounding error
  *   (`hasArea`). Slivers of any real width stay. Where three corners are on a line between other
  *   triangles, the one across the longest side is split at the middle corner (CapSplit.h).
