@@ -111,7 +111,8 @@ public:
    * that zigzag and branch like noise, are not kept; neither are the sides of needles, triangles
    * that stand out, but are lower than a fiftieth of the spacing, or than a fifth of it and than an
    * eighth of their longest side. Their normals do not count where normals are estimated. Nor are
-   * the low steps of voxels kept where they bend at more points than are asked for.
+   * the sides of single triangles, and pairs, kept that lie on their neighbors the wrong way round,
+   * nor the low steps of voxels where they bend at more points than are asked for.
    *
    * Not with given initial sites.
    */

@@ -235,6 +235,52 @@ void testSteps()
   checkKept(test::voxelSurface(28, isInPins));
   checkKept(test::voxelSurface(28, isInFins));
 }
+
+/** A facet of a flat square that a point has been pushed over, and two of another one. */
+SurfaceMesh squareWithFolds()
+{
+  constexpr int n = 12;
+  TriangleSoup soup = test::gridPatch(n, n);
+  const auto at = [&](int i, int j) -> Point3& { return soup.points[j * (n + 1) + i]; };
+  // Over the side from (4, 3) to (4, 4) of the facet with (3, 3).
+  at(3, 3) += Point3(1.2 / n, 0.6 / n, 0.0);
+  // Both facets between (8, 8) and (9, 9): the two other corners are beyond each other.
+  const Point3 center = 0.5 * (at(8, 8) + at(9, 9));
+  at(9, 8) = center + Point3(-0.05 / n, 0.05 / n, 0.0);
+  at(8, 9) = center + Point3(0.05 / n, -0.05 / n, 0.0);
+  return test::meshOf(soup);
+}
+
+/** Facets turned back have no creases at any spacing; the bases of low pyramids keep theirs. */
+void testTurnedBack()
+{
+  const SurfaceMesh square = squareWithFolds();
+  SurfaceMesh all = square;
+  const Features found = findFeatures(all, FeatureOptions());
+  CHECK(std::count(found.kinds.begin(), found.kinds.end(), FeatureKind::Crease) >= 7);
+  for (const Offset sites : { 100, 1000, 100000 })
+  {
+    CHECK_EQUAL(countFeatures(square, sites), 4 * 12); // the border
+  }
+  for (const int sides : { 3, 4 })
+  {
+    std::vector<Point3> points = { Point3(0.0, 0.0, 0.1) };
+    std::vector<std::array<Offset, 3>> triangles;
+    for (int k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * test::pi * k / sides;
+      points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+      triangles.push_back({ 0, 1 + k, 1 + (k + 1) % sides });
+    }
+    triangles.push_back({ 1, 3, 2 });
+    if (sides == 4)
+    {
+      triangles.push_back({ 1, 4, 3 });
+    }
+    const SurfaceMesh pyramid = test::meshOf(test::makeSoup(points, triangles));
+    CHECK_EQUAL(countFeatures(pyramid, 1000), sides);
+  }
+}
 }
 
 int TestFeatureFilter(int, char*[])
@@ -245,5 +291,6 @@ int TestFeatureFilter(int, char*[])
   testBox();
   testSteps();
   testBordersOfSteps();
+  testTurnedBack();
   return test::result();
 }

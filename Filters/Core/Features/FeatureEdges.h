@@ -61,8 +61,10 @@ inline bool mayBeDropped(const EdgeTable& edges, const FeatureOptions& options,
  * Drops creases that are small against the spacing: connected sets of crease edges whose extent is
  * below a few spacings, more if they are weak and zigzag or branch like noise, less if they are
  * strong or close to a smooth loop; those of any extent that zigzag and branch at almost every
- * point; and short dead ends of the others. Borders, non-manifold edges and borders of labels stay,
- * and creases between them as short as they may be, unless they zigzag or branch.
+ * point; those around one or two facets that are turned back (by 134 degrees) from all around them
+ * and lie on more than twice their area; and short dead ends of the others. Borders, non-manifold
+ * edges and borders of labels stay, and creases between them as short as they may be, unless they
+ * zigzag or branch.
  *
  * @return the number of edges dropped. O(F).
  */

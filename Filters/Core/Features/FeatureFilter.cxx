@@ -4,16 +4,18 @@
  * What tells a crease from noise, as far as a mesh of some spacing is concerned: it is longer than
  * a few spacings, or closes smoothly, and it neither zigzags from edge to edge nor branches every
  * few edges. Where it does both at almost every point, it is noise however far it reaches, and
- * whatever borders it meets.
+ * whatever borders it meets. What goes around a facet or two that are turned back is none.
  */
 #include "Features/CreaseGraph.h"
 #include "Features/FeatureEdges.h"
 
 #include "Support/DisjointSets.h"
+#include "Support/SortUnique.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 
 namespace remesh
 {
@@ -30,6 +32,8 @@ constexpr double leastSpur = 1.5;
 
 constexpr double fineEdge = 0.7;        // mean length, in spacings
 constexpr double strongAngle = 1.05;    // radians, mean along the crease
+constexpr double turnedBack = 2.35;     // radians
+constexpr double leastCover = 2.0;      // times its area, of what a facet turned back lies on
 constexpr double largestMeanTurn = 0.5; // radians
 constexpr double largestSmoothTurn = 0.35;
 constexpr double largestStraightTurn = 0.2;
@@ -139,6 +143,116 @@ std::vector<Cluster> measureClusters(
   return clusters;
 }
 
+/** Finds single facets, and pairs of them, that lie on their neighbours the wrong way round. */
+class TurnedBackFacets
+{
+public:
+  TurnedBackFacets(
+    const CreaseGraph& graph, const EdgeTable& edges, const std::vector<float>& angles)
+    : m_graph(graph)
+    , m_edges(edges)
+    , m_angles(angles)
+  {
+  }
+
+  /** Of two neighbours, each is one; both have a small part of the area that they lie on. */
+  bool has(Index facet) const
+  {
+    const int side = this->openSide(facet);
+    if (side < 0)
+    {
+      return false;
+    }
+    std::vector<Index> island = { facet };
+    if (side < 3)
+    {
+      const Index edge = m_edges.facetEdges[facet][side];
+      const Index other = m_edges.valence(edge) == 2 ? this->beyond(facet, edge) : noIndex;
+      const int otherSide = other != noIndex ? this->openSide(other) : -1;
+      if (otherSide < 0 || otherSide > 2 || m_edges.facetEdges[other][otherSide] != edge)
+      {
+        return false;
+      }
+      island.push_back(other);
+    }
+    Point3 own = Point3::Zero(); // twice the areas
+    Point3 around = Point3::Zero();
+    for (const Index f : island)
+    {
+      own += this->areaOf(f);
+      for (const Index edge : m_edges.facetEdges[f])
+      {
+        around += this->isBack(edge) ? this->areaOf(this->beyond(f, edge)) : Point3(0, 0, 0);
+      }
+    }
+    return around.dot(own) < -leastCover * own.squaredNorm();
+  }
+
+  bool isBack(Index edge) const
+  {
+    const auto& [a, b] = m_graph.ends[edge];
+    return m_graph.droppable[edge] && m_angles[edge] > turnedBack && m_graph.degree(a) == 2 &&
+      m_graph.degree(b) == 2;
+  }
+
+private:
+  /** The side of a facet that does not turn back, where the two others do; 3 where all do. */
+  int openSide(Index facet) const
+  {
+    int open = 3;
+    int back = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const bool turns = this->isBack(m_edges.facetEdges[facet][k]);
+      back += turns;
+      open = turns ? open : k;
+    }
+    return back >= 2 ? open : -1;
+  }
+
+  Index beyond(Index facet, Index edge) const
+  {
+    const Index* facets = m_edges.edgeFacets.data() + m_edges.edgeFacetsBegin[edge];
+    return facets[facets[0] == facet ? 1 : 0];
+  }
+
+  Point3 areaOf(Index facet) const
+  {
+    const auto& [a, b, c] = m_graph.mesh.facetPoints[facet];
+    const std::vector<Point3>& points = m_graph.mesh.points;
+    return (points[b] - points[a]).cross(points[c] - points[a]);
+  }
+
+  const CreaseGraph& m_graph;
+  const EdgeTable& m_edges;
+  const std::vector<float>& m_angles;
+};
+
+/**
+ * Drops the creases around facets that lie on their neighbours the wrong way round: defects,
+ * however large, but not the bases of low pyramids, which lie on what is no larger.
+ */
+Index dropTurnedBack(const CreaseGraph& graph, const EdgeTable& edges, FeatureEdges& features)
+{
+  const TurnedBackFacets turned(graph, edges, features.angles);
+  std::vector<Index> dropped;
+  for (Index facet = 0; facet < graph.mesh.numberOfFacets(); ++facet)
+  {
+    if (turned.has(facet))
+    {
+      const Triple& sides = edges.facetEdges[facet];
+      std::copy_if(sides.begin(), sides.end(), std::back_inserter(dropped),
+        [&](Index edge) { return turned.isBack(edge); });
+    }
+  }
+  sortUnique(dropped);
+  for (const Index edge : dropped)
+  {
+    features.kinds[edge] = FeatureKind::None;
+  }
+  return static_cast<Index>(dropped.size());
+}
+
 /** Removes dead ends that branch off another feature within less than `longest`. */
 Index dropSpurs(const CreaseGraph& graph, double longest, std::vector<FeatureKind>& kinds)
 {
@@ -189,7 +303,9 @@ Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
     return 0;
   }
   CreaseGraph graph = makeCreaseGraph(mesh, edges, options, kinds);
-  Index dropped = dropSpurs(graph, leastSpur * options.spacing, kinds);
+  Index dropped = dropTurnedBack(graph, edges, features);
+  graph.listAround(kinds);
+  dropped += dropSpurs(graph, leastSpur * options.spacing, kinds);
   graph.listAround(kinds);
   DisjointSets sets(mesh.points.size());
   const std::vector<Cluster> clusters = measureClusters(graph, features.angles, sets);
