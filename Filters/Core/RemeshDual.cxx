@@ -18,7 +18,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 100;          // of changes
+constexpr int mostChanges = 140;         // but for trials of doing without sites
 constexpr int settlingSteps = 2;         // of Lloyd, after the first repairs
 constexpr int mostSmoothings = 2;        // in the end, if sites were changed without such steps
 constexpr double sitesForOneMore = 2e-3; // of all, that were
@@ -146,6 +146,7 @@ Status mendAll(
 {
   const RemeshOptions& options = task.options;
   // Each round fills half of the progress that is left.
+  int changes = 0;
   for (int round = 0;; ++round, rest = rest.step(1, 2))
   {
     Stopwatch watch;
@@ -163,7 +164,9 @@ Status mendAll(
       return Status::success();
     }
     const SharedSites earlier = carried.sites;
-    const bool mayChange = earlier && (round < mostRounds || repair.pruning.isTrying());
+    const bool wasTrial = repair.pruning.isTrying();
+    const bool mayChange = earlier && (changes < mostChanges || wasTrial);
+    changes += wasTrial ? 0 : 1;
     const Index moved = mayChange ? mend(task, rest.silent(), repair, result) : 0;
     result.seconds.repair += watch.lap();
     if (moved == 0)

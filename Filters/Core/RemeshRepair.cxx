@@ -55,11 +55,10 @@ Index revise(Refinement refinement, const Certificate& failures, Offset wanted, 
 {
   // Without hope for the topology at least the number shall be right.
   const bool keepNone = repair.stage == RepairStage::GivenUp && repair.flipRounds == 0;
-  const Index kept = keepNone ? 0 : repair.counts.addedSites;
-  const Revision revision =
-    reviseSites({ task.surface, result.sites, result.diagram }, result.components, result.dual,
-      failures, result.sums, std::move(refinement), wanted, kept, result.sites);
-  repair.counts.addedSites += revision.added;
+  const Revision revision = reviseSites({ task.surface, result.sites, result.diagram },
+    result.components, result.dual, failures, result.sums, std::move(refinement), wanted,
+    repair.counts.addedSites, result.sites, !keepNone);
+  repair.counts.addedSites += revision.added - revision.removedLast;
   return revision.added + revision.removed;
 }
 
@@ -218,11 +217,12 @@ Index pruneSites(const Task& task, Repair& repair, RemeshResult& result)
 {
   SitePruning& pruning = repair.pruning;
   const bool isUndone = pruning.isTrying() &&
-    !pruning.judge(failingSites(result, repair.intrusions), result.components.count());
+    !pruning.judge(result.topology.certificate.holds(), failingSites(result, repair.intrusions),
+      result.components.count());
   if (!isUndone)
   {
     repair.intrusions = result.seams.intrusions.size();
-    if (!result.topology.certificate.holds() || repair.flipRounds > 0 ||
+    if (repair.othersStay || !result.topology.certificate.holds() || repair.flipRounds > 0 ||
       !pruning.choose({ task.surface, result.sites, result.diagram }, result.components,
         result.dual,
         { shareSites(result, repair), repair.counts.addedSites, result.components.count(),
@@ -335,6 +335,22 @@ Offset nextNumber(Offset wanted, const RemeshResult& result)
   const Offset parts = count - result.featureSites.numberOfPoints(); // of their cells, about
   return surplus > 1 && parts > free ? count - std::max(surplus * free / parts, Offset(1)) : wanted;
 }
+
+/** Sites where there are too few vertices, or none where there are too many. */
+Index adjustNumber(const Task& task, Repair& repair, RemeshResult& result)
+{
+  const Offset wanted = wantedVertices(task.options, result, repair);
+  if (!task.options.exactNumber || repair.adjustments >= mostAdjustments ||
+    result.components.count() == wanted)
+  {
+    return 0;
+  }
+  // Where cells reach several parts of the surface, others may come to do so with each that goes.
+  keepIfBest(task.options, result, repair);
+  ++repair.adjustments;
+  const Offset next = nextNumber(wanted, result);
+  return revise({}, result.topology.certificate, next, task, repair, result);
+}
 }
 
 Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
@@ -371,19 +387,9 @@ Index mend(const Task& task, const RunControl& control, Repair& repair, RemeshRe
   {
     return touched;
   }
-  const Offset wanted = wantedVertices(task.options, result, repair);
-  if (task.options.exactNumber && repair.adjustments < mostAdjustments &&
-    result.components.count() != wanted)
+  if (const Index touched = adjustNumber(task, repair, result); touched > 0)
   {
-    // Where cells reach several parts of the surface, others may come to do so with each that goes.
-    keepIfBest(task.options, result, repair);
-    ++repair.adjustments;
-    const Offset next = nextNumber(wanted, result);
-    if (const Index touched = revise({}, result.topology.certificate, next, task, repair, result);
-        touched > 0)
-    {
-      return touched;
-    }
+    return touched;
   }
   return repairFlips(task, control, repair, result);
 }

@@ -8,6 +8,8 @@
 #include "TestSupport.h"
 #include "TestSurfaces.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -279,6 +281,20 @@ void testTurnedBack()
     }
     const SurfaceMesh pyramid = test::meshOf(test::makeSoup(points, triangles));
     CHECK_EQUAL(countFeatures(pyramid, 1000), sides);
+  }
+  // Nor do flat tetrahedra, whose upper facets are each beyond two sides of the lower ones.
+  for (int k = 0; k < 50; ++k)
+  {
+    const Eigen::AngleAxisd turn(0.1 * k, Point3(1.0, 0.3 * k, -0.7).normalized());
+    std::vector<Point3> points;
+    for (const Point3& p :
+      { Point3(-1, 0, 0), Point3(0, -1, 0.1), Point3(1, 0, 0), Point3(0, 1, 0.1) })
+    {
+      points.push_back(turn * p);
+    }
+    const SurfaceMesh tetrahedron =
+      test::meshOf(test::makeSoup(points, { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 3 }, { 1, 2, 3 } }));
+    CHECK_EQUAL(countFeatures(tetrahedron, 1000), 4);
   }
 }
 }

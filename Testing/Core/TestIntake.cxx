@@ -196,6 +196,12 @@ void testShortSides()
   CHECK_EQUAL(report.boundaryEdges, 2 * n);
   CHECK_EQUAL(mesh.numberOfPoints(), 5 * n);
   CHECK_EQUAL(report.nearBorderPoints, 0);
+  // Nor does a small part vanish beside one far away.
+  TriangleSoup far = test::icosphere(1);
+  const auto alone = static_cast<Index>(far.triangles.size());
+  test::append(far, test::gridPatch(1, 1), Point3(1e14, 0.0, 0.0));
+  CHECK(test::takeIn(far, mesh, report).ok());
+  CHECK(mesh.numberOfFacets() >= alone);
   // What is small but no rounding stays.
   CHECK(test::takeIn(tube(-1e-9), mesh, report).ok());
   CHECK_EQUAL(report.mergedPoints, 0);

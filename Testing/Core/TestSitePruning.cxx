@@ -15,13 +15,14 @@ struct State
 {
   test::Computed result;
   test::DualOf made;
+  bool holds = false;         ///< the certificate
   std::vector<Index> failing; ///< sites, ascending
   double energy = 0.0;
 };
 
 State stateOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites)
 {
-  State state{ test::computed(surface, sites), {}, {}, 0.0 };
+  State state{ test::computed(surface, sites), {}, false, {}, 0.0 };
   state.made = test::dualOf(mesh, surface, state.result);
   Certificate certificate;
   CHECK(certify(surface, state.made.edges, state.result.diagram, state.made.components,
@@ -45,6 +46,7 @@ State stateOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sit
       add(component);
     }
   }
+  state.holds = certificate.holds();
   state.failing.assign(failing.begin(), failing.end());
   state.energy =
     std::accumulate(state.result.sums.energy.begin(), state.result.sums.energy.end(), 0.0);
@@ -90,7 +92,7 @@ Outcome prune(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sit
 {
   Outcome outcome{ sites, added, extraPoints };
   State state = stateOf(mesh, surface, sites);
-  CHECK(state.failing.empty());
+  CHECK(state.holds);
   Offset wanted = state.made.components.count();
   SitePruning pruning;
   CHECK(!pruning.hasTried());
@@ -100,7 +102,6 @@ Outcome prune(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sit
     { std::make_shared<const Sites>(outcome.sites), outcome.added, state.made.components.count(),
       wanted, outcome.extraPoints }))
   {
-    CHECK(pruning.hasTried());
     bool isAccepted = false;
     SitePruning::Trial trial;
     while (pruning.isTrying() && ++rounds < 100)
@@ -109,7 +110,7 @@ Outcome prune(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sit
       CHECK(trial.sites.count() < outcome.sites.count() + 100);
       CHECK(trial.added < outcome.added);
       state = stateOf(mesh, surface, trial.sites);
-      isAccepted = pruning.judge(state.failing, state.made.components.count());
+      isAccepted = pruning.judge(state.holds, state.failing, state.made.components.count());
       outcome.refused += !isAccepted;
     }
     CHECK(rounds < 100);
@@ -122,7 +123,7 @@ Outcome prune(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sit
       continue;
     }
     wanted -= outcome.extraPoints - trial.extraPoints;
-    outcome.allHold = outcome.allHold && state.failing.empty();
+    outcome.allHold = outcome.allHold && state.holds;
     CHECK_EQUAL(state.made.components.count(), wanted);
     outcome.sites = trial.sites;
     outcome.added = trial.added;
@@ -184,6 +185,47 @@ void testNothingToDo()
     CHECK(!pruning.hasTried());
   }
 }
+
+/** More than there are free sites may be said to be added: fixed ones stay the first all the same.
+ */
+void testFixed()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
+  const EmbeddedSurface surface = test::embedded(mesh, 3);
+  Sites sites = crowded(surface, 200, 100, Point3(0.0, 0.0, 1.0), 0.2);
+  sites.fixed = 50;
+  const State state = stateOf(mesh, surface, sites);
+  const Offset count = state.made.components.count();
+  SitePruning pruning;
+  CHECK(pruning.choose({ surface, sites, state.result.diagram }, state.made.components,
+    state.made.dual, { std::make_shared<const Sites>(sites), 1000, count, count, 0 }));
+  const SitePruning::Trial trial = pruning.next();
+  CHECK_EQUAL(trial.sites.fixed, 50);
+  CHECK_EQUAL(trial.sites.count(), sites.count());
+  CHECK(std::equal(
+    sites.coordinates.begin(), sites.coordinates.begin() + 150, trial.sites.coordinates.begin()));
+  // Where the certificate fails and nobody can be blamed, all come back.
+  CHECK(!pruning.judge(false, {}, count));
+  CHECK(!pruning.isTrying());
+  CHECK(pruning.next().sites.coordinates == sites.coordinates);
+}
+
+/** Where there are too many vertices at first, and no others come, fewer will do. */
+void testNumberOff()
+{
+  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
+  const EmbeddedSurface surface = test::embedded(mesh, 3);
+  const Sites sites = crowded(surface, 200, 100, Point3(0.0, 0.0, 1.0), 0.2);
+  const State state = stateOf(mesh, surface, sites);
+  const Offset count = state.made.components.count();
+  SitePruning pruning;
+  CHECK(pruning.choose({ surface, sites, state.result.diagram }, state.made.components,
+    state.made.dual, { std::make_shared<const Sites>(sites), 100, count, count - 200, 0 }));
+  const Sites fewer = pruning.next().sites;
+  CHECK(fewer.count() < sites.count());
+  CHECK(pruning.judge(true, {}, fewer.count()));
+  CHECK(!pruning.isTrying());
+}
 }
 
 int TestSitePruning(int, char*[])
@@ -191,5 +233,7 @@ int TestSitePruning(int, char*[])
   testSphere();
   testNarrowHole();
   testNothingToDo();
+  testFixed();
+  testNumberOff();
   return test::result();
 }

@@ -4,6 +4,7 @@
 #include "Features/SpareSites.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 namespace remesh
@@ -44,21 +45,6 @@ std::vector<Index> findCandidates(const VertexPlaces& places, const Components& 
   return small;
 }
 
-/** Takes those of the list away that are marked. */
-template <class Value>
-void dropMarked(const std::vector<char>& marked, std::vector<Value>& values)
-{
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < values.size(); ++k)
-  {
-    if (!marked[k])
-    {
-      std::swap(values[kept++], values[k]);
-    }
-  }
-  values.resize(kept);
-}
-
 /**
  * Candidates to try together, in their order: no neighbours of each other, and two rings apart from
  * others where one has failed before, so that it is known which one fails.
@@ -67,35 +53,28 @@ std::vector<std::size_t> takeApart(const std::vector<Index>& candidates,
   const std::vector<std::vector<Index>>& neighbors, Index firstAdded,
   const std::vector<char>& failures, const VertexPlaces& places)
 {
-  const auto numberOfSites = static_cast<std::size_t>(places.sites.count());
-  std::vector<Index> numbers(numberOfSites, noIndex);
-  for (std::size_t k = 0; k < candidates.size(); ++k)
-  {
-    numbers[candidates[k]] = static_cast<Index>(k);
-  }
   SpareSites spare(places.surface, places.sites);
-  std::vector<char> isNext(numberOfSites, 0);
-  std::vector<char> isNear(numberOfSites, 0);
+  const auto numberOfSites = static_cast<std::size_t>(places.sites.count());
+  std::vector<char> isNext(numberOfSites, 0); // to one taken, or taken
+  std::vector<char> isNextToFailed(numberOfSites, 0);
   std::vector<std::size_t> taken;
   for (std::size_t k = 0; k < candidates.size(); ++k)
   {
     const Index site = candidates[k];
-    const bool waits = failures[site - firstAdded] > 0 ? isNear[site] : isNext[site];
-    if (waits || !spare.take(places.sites.site(site)))
+    const bool failed = failures[site - firstAdded] > 0;
+    const std::vector<char>& apart = failed ? isNext : isNextToFailed;
+    const bool waits = isNext[site] ||
+      std::any_of(neighbors[k].begin(), neighbors[k].end(), [&](Index n) { return apart[n] != 0; });
+    if (!waits && spare.take(places.sites.site(site)))
     {
-      continue;
-    }
-    taken.push_back(k);
-    for (const Index neighbor : neighbors[k])
-    {
-      isNext[neighbor] = isNear[neighbor] = 1;
-      if (numbers[neighbor] != noIndex)
+      taken.push_back(k);
+      const auto mark = [&](Index near)
       {
-        for (const Index second : neighbors[numbers[neighbor]])
-        {
-          isNear[second] = 1;
-        }
-      }
+        isNext[near] = 1;
+        isNextToFailed[near] = failed || isNextToFailed[near];
+      };
+      mark(site);
+      std::for_each(neighbors[k].begin(), neighbors[k].end(), mark);
     }
   }
   return taken;
@@ -106,6 +85,7 @@ bool SitePruning::choose(
   const VertexPlaces& places, const Components& components, const Dual& dual, PruningBase base)
 {
   m_base = std::move(base);
+  m_base.added = std::min(m_base.added, m_base.sites->count() - m_base.sites->fixed);
   m_failures.resize(static_cast<std::size_t>(m_base.added), 0);
   m_correction = 0;
   m_corrections = 0;
@@ -114,9 +94,9 @@ bool SitePruning::choose(
   if (m_rounds >= mostRounds ||
     static_cast<double>(candidates.size()) < leastShare * static_cast<double>(m_base.vertices))
   {
+    m_base = {};
     return false;
   }
-  ++m_rounds;
   std::vector<std::vector<Index>> neighbors =
     neighborsOf(candidates, components, dual, places.sites.count());
   for (const std::size_t k :
@@ -129,6 +109,7 @@ bool SitePruning::choose(
   addWhereEnergyIs(
     places, components, static_cast<Offset>(m_batch.size() + morePlaces), refinement);
   m_places = std::move(refinement.added);
+  m_rounds += this->isTrying() ? 1 : 0;
   return this->isTrying();
 }
 
@@ -258,17 +239,18 @@ void SitePruning::giveUp()
 {
   for (const Index site : m_batch)
   {
-    m_failures[site - this->firstAdded()] = mostFailures;
+    ++m_failures[site - this->firstAdded()];
   }
   m_batch.clear();
   m_neighbors.clear();
 }
 
-bool SitePruning::judge(const std::vector<Index>& failing, Offset vertices)
+bool SitePruning::judge(bool holds, const std::vector<Index>& failing, Offset vertices)
 {
   ++m_rounds;
   const Offset surplus = vertices - this->wanted();
-  if (failing.empty() && surplus == 0)
+  const bool isNearer = std::abs(surplus) < std::abs(m_base.vertices - m_base.wanted);
+  if (holds && failing.empty() && (surplus == 0 || isNearer))
   {
     std::vector<char> failures;
     for (const Index site : this->addedThatStay())
@@ -278,18 +260,19 @@ bool SitePruning::judge(const std::vector<Index>& failing, Offset vertices)
     m_failures = std::move(failures);
     m_batch.clear();
     m_neighbors.clear();
+    m_base = {};
     return true;
   }
   bool goesOn = false;
-  if (failing.empty())
-  {
-    goesOn = this->correct(surplus);
-  }
-  else
+  if (!failing.empty())
   {
     const Offset placed = this->numberOfPlaces();
     const bool places = this->blamePlaces(failing, placed);
     goesOn = this->blameSites(failing, placed) || places;
+  }
+  else if (holds)
+  {
+    goesOn = this->correct(surplus);
   }
   if (!goesOn || m_rounds >= mostRounds)
   {

@@ -58,13 +58,15 @@ public:
   Trial next() const;
 
   /**
-   * Judges the trial's outcome: accepts it, or leaves out what may have broken it.
+   * Judges the trial's outcome: accepts it, or leaves out what may have broken it. Where the number
+   * of the base's vertices is not the one wanted, one that is nearer will do.
    *
-   * @param failing sites of the trial where the certificate fails; ascending.
+   * @param holds whether the certificate does.
+   * @param failing sites of the trial where it fails; ascending.
    * @param vertices of the trial's mesh.
    * @return whether it is accepted. If not, and if nothing is left to try, next() is the base.
    */
-  bool judge(const std::vector<Index>& failing, Offset vertices);
+  bool judge(bool holds, const std::vector<Index>& failing, Offset vertices);
 
 private:
   Index firstAdded() const { return m_base.sites->count() - m_base.added; }

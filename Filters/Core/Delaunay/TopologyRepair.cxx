@@ -397,7 +397,7 @@ void addWhereEnergyIs(
 
 Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
   const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
-  Index addedBefore, Sites& sites)
+  Index addedBefore, Sites& sites, bool keepAdded)
 {
   auto& added = refinement.added;
   auto& removed = refinement.removed;
@@ -415,8 +415,8 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   }
   else if (surplus > 0)
   {
-    std::vector<char> distances =
-      distancesToFailures(components, dual, failures, sites.count() - addedBefore);
+    std::vector<char> distances = distancesToFailures(
+      components, dual, failures, sites.count() - (keepAdded ? addedBefore : 0));
     for (Index k = 0; k < components.count(); ++k) // those that go already are no donors
     {
       const bool goes = std::binary_search(removed.begin(), removed.end(), components.sites[k]);
@@ -428,9 +428,12 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
     added.resize(added.size() - std::min(added.size(), missing * d));
     removed.insert(removed.end(), donors.begin(), donors.end());
   }
+  const Index firstAdded = sites.count() - addedBefore;
+  const auto last = static_cast<Index>(
+    std::count_if(removed.begin(), removed.end(), [&](Index site) { return site >= firstAdded; }));
   removeSites(removed, sites);
   sites.coordinates.insert(sites.coordinates.end(), added.begin(), added.end());
-  return { static_cast<Index>(added.size() / d), static_cast<Index>(removed.size()) };
+  return { static_cast<Index>(added.size() / d), static_cast<Index>(removed.size()), last };
 }
 
 std::vector<Index> sitesAroundAdded(

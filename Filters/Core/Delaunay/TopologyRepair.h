@@ -59,6 +59,7 @@ struct Revision
 {
   Index added = 0; ///< the last sites there are
   Index removed = 0;
+  Index removedLast = 0; ///< of them, of the last `addedBefore`
 };
 
 /**
@@ -70,11 +71,12 @@ struct Revision
  * @param places of the diagram, whose sites these are still.
  * @param refinement the last places are left out where there are not enough sites to take away.
  * @param wanted vertices, sites on features (counted once) included.
- * @param addedBefore the last so many sites stay, and those around them.
+ * @param addedBefore the last so many sites were added before.
+ * @param keepAdded whether these stay, and those around them, but for such in the refinement.
  */
 Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
   const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
-  Index addedBefore, Sites& sites);
+  Index addedBefore, Sites& sites, bool keepAdded = true);
 
 /** The last `addedBefore` sites, and those a few triangles around them; ascending. O(K). */
 std::vector<Index> sitesAroundAdded(

@@ -175,17 +175,20 @@ public:
       }
       island.push_back(other);
     }
-    Point3 own = Point3::Zero(); // twice the areas
-    Point3 around = Point3::Zero();
+    std::vector<Index> around; // each counts once, also beyond two sides
     for (const Index f : island)
     {
-      own += this->areaOf(f);
       for (const Index edge : m_edges.facetEdges[f])
       {
-        around += this->isBack(edge) ? this->areaOf(this->beyond(f, edge)) : Point3(0, 0, 0);
+        if (this->isBack(edge))
+        {
+          around.push_back(this->beyond(f, edge));
+        }
       }
     }
-    return around.dot(own) < -leastCover * own.squaredNorm();
+    sortUnique(around);
+    const Point3 own = this->areaOf(island);
+    return this->areaOf(around).dot(own) < -leastCover * own.squaredNorm();
   }
 
   bool isBack(Index edge) const
@@ -216,11 +219,17 @@ private:
     return facets[facets[0] == facet ? 1 : 0];
   }
 
-  Point3 areaOf(Index facet) const
+  /** Twice that of these facets together, as a vector along their normals. */
+  Point3 areaOf(const std::vector<Index>& facets) const
   {
-    const auto& [a, b, c] = m_graph.mesh.facetPoints[facet];
     const std::vector<Point3>& points = m_graph.mesh.points;
-    return (points[b] - points[a]).cross(points[c] - points[a]);
+    Point3 sum = Point3::Zero();
+    for (const Index facet : facets)
+    {
+      const auto& [a, b, c] = m_graph.mesh.facetPoints[facet];
+      sum += (points[b] - points[a]).cross(points[c] - points[a]);
+    }
+    return sum;
   }
 
   const CreaseGraph& m_graph;
@@ -249,6 +258,7 @@ Index dropTurnedBack(const CreaseGraph& graph, const EdgeTable& edges, FeatureEd
   for (const Index edge : dropped)
   {
     features.kinds[edge] = FeatureKind::None;
+    features.angles[edge] = 0.0F; // no gap is bridged along it
   }
   return static_cast<Index>(dropped.size());
 }

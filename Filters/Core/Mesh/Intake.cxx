@@ -11,7 +11,7 @@
  *    which the facets then meet them, and write the mesh.
  *
  * Cost: O(T), sorts included, with the default merge distance, in parallel but for shells whose
- * facets disagree. The caller's triangle is known by
+ * facets disagree, and for borders. The caller's triangle is known by
  * its number up to step 5, so that the ids of cells and points are copied once.
  */
 #include "Mesh/Intake.h"
@@ -39,21 +39,34 @@ namespace remesh
 {
 namespace
 {
-/** Makes the ends of sides that are nothing but rounding one point, the lowest. */
+constexpr double shortSide = 1e-6; // of the longest one of a facet, if it may be but rounding
+
+/**
+ * Makes the ends of sides that are nothing but rounding one point, the lowest. They are also short
+ * against their facets, lest a part that is small against the distance to another one goes.
+ */
 bool mergeShortSides(const Draft& draft, const RunControl& control, std::vector<Index>& lowest)
 {
   const double least = roundingOfPoints(draft.points);
   const auto count = static_cast<Offset>(draft.facets.size());
+  const auto sideOf = [&](Offset f, int k)
+  { return std::pair(lowest[draft.facets[f][k]], lowest[draft.facets[f][(k + 1) % 3]]); };
   const auto forEachShortSide = [&](const auto& visit)
   {
     return forEachItem(count, control,
       [&](Offset f)
       {
+        std::array<double, 3> lengths{};
         for (int k = 0; k < 3; ++k)
         {
-          const Index a = lowest[draft.facets[f][k]];
-          const Index b = lowest[draft.facets[f][(k + 1) % 3]];
-          if (a != b && (draft.points[a] - draft.points[b]).norm() < least)
+          const auto [a, b] = sideOf(f, k);
+          lengths[k] = (draft.points[a] - draft.points[b]).norm();
+        }
+        const double longest = *std::max_element(lengths.begin(), lengths.end());
+        for (int k = 0; k < 3; ++k)
+        {
+          const auto [a, b] = sideOf(f, k);
+          if (a != b && lengths[k] < std::min(least, shortSide * longest))
           {
             visit(a, b);
           }

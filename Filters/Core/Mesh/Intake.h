@@ -23,7 +23,7 @@ struct IntakeOptions
   /**
    * Points closer than this are one point, and so are chains of them; same length unit as the
    * points. The lowest of the caller's points gives the position. 0: equal coordinates only
-   * (-0 equals +0).
+   * (-0 equals +0), and the ends of sides that are nothing but rounding.
    */
   double mergeDistance = 0.0;
 };
@@ -51,7 +51,8 @@ struct IntakeReport
  * - Coincident: by `mergeDistance`, or the ends of a side that is nothing but rounding
  *   (`roundingOfPoints`), as between the first and the last points of a closed grid.
  * - Degenerate: two corners are one point, or their area is nothing but rounding error
- *   (`hasArea`). Slivers of any real width stay. Where three corners are on a line between other
+ *   (`hasArea`). Slivers of any width stay, with sides that are more than
+ *   rounding. Where three corners are on a line between other
  *   triangles, the one across the longest side is split at the middle corner (CapSplit.h).
  * - Orientation: see `findOrientation`. A consistent input keeps its own, inside out or not.
  * - A facet keeps its first corner; turning it round exchanges the other two.
