@@ -212,7 +212,10 @@ Index repairTopology(
   return repairTopology(task, control, repair, result);
 }
 
-/** Takes sites that were added for the topology, and are of no use, to where they are. */
+/**
+ * Takes sites that were added for the topology, and are of no use, to where they are. Where not the
+ * number of vertices is given, but that of sites, they stay.
+ */
 Index pruneSites(const Task& task, Repair& repair, RemeshResult& result)
 {
   SitePruning& pruning = repair.pruning;
@@ -222,7 +225,8 @@ Index pruneSites(const Task& task, Repair& repair, RemeshResult& result)
   if (!isUndone)
   {
     repair.intrusions = result.seams.intrusions.size();
-    if (repair.othersStay || !result.topology.certificate.holds() || repair.flipRounds > 0 ||
+    const bool mayPrune = task.options.exactNumber && !repair.othersStay && repair.flipRounds == 0;
+    if (!mayPrune || !result.topology.certificate.holds() ||
       !pruning.choose({ task.surface, result.sites, result.diagram }, result.components,
         result.dual,
         { shareSites(result, repair), repair.counts.addedSites, result.components.count(),
