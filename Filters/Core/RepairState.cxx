@@ -93,8 +93,8 @@ double failingMass(const RemeshResult& result)
 /**
  * Whether the failures have become fewer than ever, or are closed in on: a handle far smaller than
  * the cells takes many sites before it is seen, but one that is nothing against them is never
- * reached. Where failures are many, that is left to the last
- * stages: the first ones may do with fewer sites.
+ * reached. Where failures are many, that is left to the last stages: the first ones may do with
+ * fewer sites.
  */
 bool comesNearer(const RemeshResult& result, Repair& repair)
 {

@@ -51,9 +51,9 @@ struct IntakeReport
  * - Coincident: by `mergeDistance`, or the ends of a side that is nothing but rounding
  *   (`roundingOfPoints`), as between the first and the last points of a closed grid.
  * - Degenerate: two corners are one point, or their area is nothing but rounding error
- *   (`hasArea`). Slivers of any width stay, with sides that are more than
- *   rounding. Where three corners are on a line between other
- *   triangles, the one across the longest side is split at the middle corner (CapSplit.h).
+ *   (`hasArea`). Slivers of any width stay, with sides that are more than rounding. Where three
+ *   corners are on a line between other triangles, the one across the longest side is split at the
+ *   middle corner (CapSplit.h).
  * - Orientation: see `findOrientation`. A consistent input keeps its own, inside out or not.
  * - A facet keeps its first corner; turning it round exchanges the other two.
  * - Facets follow the Hilbert curve of their centroids (ties: input order), points the order in
