@@ -1,6 +1,6 @@
 #include "RemeshDual.h"
 
-#include "Delaunay/TopologyRepair.h"
+#include "Delaunay/SiteRevision.h"
 #include "Embedding/Embedding.h"
 #include "Features/FeatureGraph.h"
 #include "Optimization/FixedSites.h"

@@ -1,6 +1,7 @@
 #include "RemeshRepair.h"
 
 #include "Delaunay/FeatureRepair.h"
+#include "Delaunay/SiteRevision.h"
 #include "Delaunay/TopologyRepair.h"
 #include "Placement/StrayTriangles.h"
 #include "RemeshFacing.h"

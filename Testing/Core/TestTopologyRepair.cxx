@@ -1,5 +1,6 @@
 // Delaunay/TopologyRepair: thin spikes, with too few sites around their tips, come out closed.
 
+#include "Delaunay/SiteRevision.h"
 #include "Delaunay/TopologyRepair.h"
 #include "Embedding/Distance.h"
 #include "Embedding/Embedding.h"

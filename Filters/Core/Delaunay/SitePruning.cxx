@@ -1,5 +1,6 @@
 #include "Delaunay/SitePruning.h"
 
+#include "Delaunay/SiteRevision.h"
 #include "Delaunay/TopologyRepair.h"
 #include "Features/SpareSites.h"
 
