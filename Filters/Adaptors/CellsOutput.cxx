@@ -138,7 +138,8 @@ void addPieceArrays(const DiagramSource& source, const DrawnPieces& drawn, vtkCe
     [&](Offset polygon)
     { return source.prepared.mesh.facetInputCells[diagram.facets[drawn[polygon]]]; });
   const CellSums& sums = source.result.sums;
-  columns.add<vtkDoubleArray>("CellArea", [&](Offset polygon) { return sums.area[site(polygon)]; });
+  columns.add<vtkDoubleArray>(
+    "CellArea", [&](Offset polygon) { return source.result.cellAreas[site(polygon)]; });
   columns.add<vtkDoubleArray>("CellMass",
     [&](Offset polygon) { return source.siteMass()[site(polygon)] * source.massUnit(); });
   columns.add<vtkDoubleArray>("CellEnergy",

@@ -44,7 +44,7 @@ struct DiagramSource
   double energyUnit() const { return this->massUnit() * this->massUnit(); }
   /** By what the sums that a density weights are multiplied in addition. */
   double densityUnit() const { return this->surface().densityUnit; }
-  bool hasDensity() const { return this->surface().hasDensity; }
+  bool hasDensity() const { return this->surface().hasDensity(); }
   /** Of the sites, without density. */
   const std::vector<double>& siteMass() const
   {

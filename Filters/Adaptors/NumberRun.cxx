@@ -68,9 +68,9 @@ struct NumberRun
   {
     const PreparedSurface& prepared = this->outcome.prepared;
     double area = 0.0;
-    for (const FacetConstants& facet : prepared.surface.constants)
+    for (Index facet = 0; facet < prepared.surface.numberOfFacets(); ++facet)
     {
-      area += facet.embeddedArea();
+      area += prepared.surface.embeddedArea(facet);
     }
     const double spacing = prepared.surface.unit *
       std::sqrt(area / static_cast<double>(this->request.preparation.numberOfSites));

@@ -89,7 +89,7 @@ void writeSites(const DiagramSource& source, vtkPolyData* output)
     "PatchId", [&](Offset i) { return source.patchOfSite(static_cast<Index>(i)); });
   columns.add<vtkDoubleArray>("Weight", [](Offset) { return 0.0; });
   addPlaces(source, columns);
-  columns.add<vtkDoubleArray>("CellArea", [&](Offset i) { return sums.area[i]; });
+  columns.add<vtkDoubleArray>("CellArea", [&](Offset i) { return result.cellAreas[i]; });
   columns.add<vtkDoubleArray>(
     "CellMass", [&](Offset i) { return source.siteMass()[i] * source.massUnit(); });
   columns.add<vtkDoubleArray>(

@@ -44,7 +44,7 @@ Status optimize(const EmbeddedSurface& surface, const RemeshOptions& options, Ru
 /** What the outputs tell beside the sums that a density weights. */
 Status sumPlainly(const Task& task, const RunControl& control, RemeshResult& result)
 {
-  if (!task.surface.hasDensity)
+  if (!task.surface.hasDensity())
   {
     return Status::success();
   }

@@ -85,6 +85,7 @@ struct RemeshResult
   Dual dual;                              ///< its triangles after placement
   Placement placement;                    ///< of its vertices
   std::vector<Index> numbersOfNeighbors;  ///< n
+  std::vector<double> cellAreas;          ///< n, in R^3
   Convergence convergence;
   TopologyResult topology;
   std::optional<TwoSidedDistance> distance; ///< of mesh and surface, where it was measured

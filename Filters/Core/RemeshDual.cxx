@@ -60,6 +60,7 @@ Status describeCells(const Task& task, const RunControl& control, RemeshResult& 
   {
     return status;
   }
+  result.cellAreas = measureCellAreas(task.mesh, result.diagram, result.sites.count());
   return locateOnSurface(task.mesh, result.diagram, result.components, control, result.locations);
 }
 

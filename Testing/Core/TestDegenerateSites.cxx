@@ -111,7 +111,7 @@ void checkCircularGrid(int k, int m, const Point3& shift, std::uint64_t shuffle)
   const Sites sites = test::sitesAt(surface, places);
   const test::Computed result = test::computed(surface, sites);
   test::checkDiagram(mesh, surface, sites, result);
-  for (const double area : result.sums.area)
+  for (const double area : measureCellAreas(mesh, result.diagram, sites.count()))
   {
     CHECK_NEAR(area, 1.0 / (m * m), 1e-14);
   }

@@ -116,7 +116,7 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   }
   bytes.addAll(result.sites.coordinates, result.emptyCells, result.evaluations);
   const CellSums& sums = result.sums;
-  bytes.addAll(sums.mass, sums.area, sums.energy, sums.moment, sums.totalEnergy, sums.gradientNorm);
+  bytes.addAll(sums.mass, sums.energy, sums.moment, sums.totalEnergy, sums.gradientNorm);
   const Diagram& diagram = result.diagram;
   bytes.addAll(diagram.facetBegin, diagram.sites, diagram.facets, diagram.integrals,
     diagram.vertexBegin, diagram.across);
@@ -125,7 +125,7 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     components.pieces, components.mass, components.area, components.energy, components.centroids);
   bytes.addAll(result.locations, result.placement.positions, result.dual.triangles,
     result.dual.repeated, result.dual.edges.edges, result.dual.eulerCharacteristic,
-    result.numbersOfNeighbors, result.convergence.rows);
+    result.numbersOfNeighbors, result.cellAreas, result.convergence.rows);
   for (const auto& [ends, triangles] : result.dual.edges.irregular)
   {
     bytes.addAll(ends.first, ends.second, triangles);
@@ -222,7 +222,7 @@ void testEmbedding(const SurfaceMesh& mesh)
     bytes.addAll(surface.corners, surface.center, surface.unit, surface.mass);
     for (const FacetConstants& constants : surface.constants)
     {
-      bytes.addAll(constants.mass, constants.area, constants.edge2);
+      bytes.addAll(constants.mass, constants.edge2);
     }
     expected = expected.empty() ? bytes.string() : expected;
     CHECK(bytes.string() == expected);

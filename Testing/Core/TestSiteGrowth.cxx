@@ -78,7 +78,7 @@ void testHalves()
     const Triple& corners = surface.facetCorners[f];
     const double middle = surface.corners[3 * corners[0]] + surface.corners[3 * corners[1]] +
       surface.corners[3 * corners[2]];
-    measures[middle > 0.0 ? 1 : 0] += surface.constants[f].siteMeasure();
+    measures[middle > 0.0 ? 1 : 0] += surface.siteMeasureOf(f);
   }
   for (Index i = 0; i < coarse.count(); ++i)
   {

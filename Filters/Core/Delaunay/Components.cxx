@@ -1,5 +1,6 @@
 #include "Delaunay/Components.h"
 
+#include "Mesh/FacetGeometry.h"
 #include "Support/DisjointSets.h"
 #include "Support/Grouping.h"
 #include "Voronoi/VertexPlaces.h"
@@ -187,7 +188,7 @@ void sumComponent(
     const PieceIntegral& integral = diagram.integrals[piece];
     const FacetConstants& constants = places.surface.constants[facet];
     mass += integral.fraction() * constants.mass;
-    area += integral.fraction() * constants.area;
+    area += integral.fraction() * facetArea(mesh, facet);
     energy += integral.energy;
     for (int k = 0; k < 3; ++k)
     {
@@ -244,5 +245,20 @@ Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, c
     placeFeaturePoints(diagram, *features, components);
   }
   return done ? Status::success() : Status::cancelled();
+}
+
+std::vector<double> measureCellAreas(
+  const SurfaceMesh& mesh, const Diagram& diagram, Index numberOfSites)
+{
+  std::vector<double> areas(static_cast<std::size_t>(numberOfSites), 0.0);
+  for (Index facet = 0; facet < mesh.numberOfFacets(); ++facet)
+  {
+    const double area = facetArea(mesh, facet);
+    for (Offset p = diagram.facetBegin[facet]; p < diagram.facetBegin[facet + 1]; ++p)
+    {
+      areas[diagram.sites[p]] += diagram.integrals[p].fraction() * area;
+    }
+  }
+  return areas;
 }
 }

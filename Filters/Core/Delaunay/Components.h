@@ -44,6 +44,10 @@ struct Components
 Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites,
   const EdgeTable& edges, const Diagram& diagram, const std::vector<Index>& owners,
   const RunControl& control, Components& components, const FeatureSites* features = nullptr);
+
+/** Area in R^3 of the cells of n sites, unit of the points. Cost: O(P), in one thread. */
+std::vector<double> measureCellAreas(
+  const SurfaceMesh& mesh, const Diagram& diagram, Index numberOfSites);
 }
 
 #endif

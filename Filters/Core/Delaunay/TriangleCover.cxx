@@ -1,5 +1,7 @@
 #include "Delaunay/TriangleCover.h"
 
+#include "Mesh/FacetGeometry.h"
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -153,7 +155,7 @@ void TriangleCover::measure(
       {
         const Index facet = diagram.facets[piece];
         const double share = std::max(0.0, diagram.integrals[piece].fraction());
-        parts.push_back({ facet, share * this->places.surface.constants[facet].area });
+        parts.push_back({ facet, share * facetArea(this->mesh, facet) });
       });
   }
 }

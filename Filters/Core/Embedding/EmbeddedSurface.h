@@ -25,9 +25,7 @@ namespace remesh
 struct FacetConstants
 {
   double mass = 0.0;                   ///< density times area in R^d
-  double area = 0.0;                   ///< area in R^3, in the unit of the points
   double edge2[3] = { 0.0, 0.0, 0.0 }; ///< squared length in R^d of edge k, corners k, k + 1
-  double density = 1.0;                ///< weight of the energy, see weightByDensity
 
   /** Largest distance from the centre to a corner, in R^d, up to rounding. */
   double radius() const
@@ -36,12 +34,6 @@ struct FacetConstants
     const auto& [a, b, c] = this->edge2;
     return std::sqrt(2.0 * (a + b + c) - 3.0 * std::min({ a, b, c })) / 3.0;
   }
-  /** Area in R^d. */
-  double embeddedArea() const { return this->mass / this->density; }
-  /** What the sites of a centroidal Voronoi tessellation are spread evenly over. */
-  double siteMeasure() const { return this->mass / std::sqrt(this->density); }
-  /** The same for lengths: they are evenly spaced in length times this. */
-  double lengthScale() const { return std::sqrt(std::sqrt(this->density)); }
 };
 
 /**
@@ -58,11 +50,11 @@ struct EmbeddedSurface
   CornerCoordinates source;              ///< empty where `corners` holds the coordinates
   SharedArray<Triple> facetCorners;      ///< F x 3, the mesh's
   std::vector<FacetConstants> constants; ///< F
+  std::vector<double> densities;         ///< F, weights of the energy, see weightByDensity; or none
   std::vector<double> center;            ///< d, in the caller's units
   double unit = 1.0;                     ///< the caller's units per scaled unit, a power of two
   double mass = 0.0;                     ///< sum of the facets' masses, scaled units
   double siteMeasure = 0.0;              ///< the same of their site measures
-  bool hasDensity = false;               ///< whether a density was given
   double densityUnit = 1.0;              ///< the caller's per scaled unit, a power of two
 
   Index numberOfFacets() const { return static_cast<Index>(this->facetCorners.size()); }
@@ -72,6 +64,21 @@ struct EmbeddedSurface
         ? this->source.rows.size()
         : this->corners.size() / static_cast<std::size_t>(this->dimension));
   }
+  bool hasDensity() const { return !this->densities.empty(); }
+  double density(Index facet) const { return this->hasDensity() ? this->densities[facet] : 1.0; }
+  /** Area in R^d. */
+  double embeddedArea(Index facet) const
+  {
+    return this->constants[facet].mass / this->density(facet);
+  }
+  /** What the sites of a centroidal Voronoi tessellation are spread evenly over, on a facet. */
+  double siteMeasureOf(Index facet) const
+  {
+    return this->constants[facet].mass / std::sqrt(this->density(facet));
+  }
+  /** The same for lengths: they are evenly spaced in length times this. */
+  double lengthScale(Index facet) const { return std::sqrt(std::sqrt(this->density(facet))); }
+
   /** Only where the surface holds its corners; CornerReader serves all surfaces. */
   const double* corner(Index id) const
   {

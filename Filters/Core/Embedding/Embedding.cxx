@@ -22,17 +22,12 @@ void measureEdges(int d, const std::array<const double*, 3>& p, FacetConstants& 
   }
 }
 
-/** Squared edges and areas of one facet. */
-FacetConstants measureFacet(
-  const SurfaceMesh& mesh, int d, Index facet, const std::array<const double*, 3>& p)
+/** Squared edges and area of one facet. */
+FacetConstants measureFacet(int d, const std::array<const double*, 3>& p)
 {
   FacetConstants constants;
   constants.mass = triangleArea(p[0], p[1], p[2], d);
   measureEdges(d, p, constants);
-  const Triple& points = mesh.facetPoints[facet];
-  const Point3 u = mesh.points[points[1]] - mesh.points[points[0]];
-  const Point3 v = mesh.points[points[2]] - mesh.points[points[0]];
-  constants.area = 0.5 * u.cross(v).norm();
   return constants;
 }
 
@@ -191,17 +186,16 @@ void weightByDensity(const std::vector<double>& densities, EmbeddedSurface& surf
   }
   int exponent = 0;
   std::frexp(measure / surface.mass, &exponent);
-  surface.hasDensity = true;
   surface.densityUnit = std::ldexp(1.0, 2 * exponent - 1); // mean in (1/2, 2)
+  surface.densities.resize(densities.size());
   surface.mass = 0.0;
   surface.siteMeasure = 0.0;
   for (std::size_t f = 0; f < densities.size(); ++f)
   {
-    FacetConstants& facet = surface.constants[f];
-    facet.density = densities[f] / surface.densityUnit;
-    facet.mass *= facet.density;
-    surface.mass += facet.mass;
-    surface.siteMeasure += facet.siteMeasure();
+    surface.densities[f] = densities[f] / surface.densityUnit;
+    surface.constants[f].mass *= surface.densities[f];
+    surface.mass += surface.constants[f].mass;
+    surface.siteMeasure += surface.siteMeasureOf(static_cast<Index>(f));
   }
 }
 
@@ -273,7 +267,7 @@ Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
         for (Offset f = begin; f < end; ++f)
         {
           const auto facet = static_cast<Index>(f);
-          surface.constants[f] = measureFacet(mesh, d, facet, reader.facet(facet));
+          surface.constants[f] = measureFacet(d, reader.facet(facet));
         }
       });
   if (!done)

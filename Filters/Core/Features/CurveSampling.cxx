@@ -240,7 +240,7 @@ std::vector<double> measureCurve(const FeaturedSurface& featured, Index curve)
       const Triple& corners = mesh.facetCorners[facet];
       const double squared = squaredDistance<Eigen::Dynamic>(
         surface.corner(corners[k]), surface.corner(corners[(k + 1) % 3]), surface.dimension);
-      length = std::max(length, surface.constants[facet].lengthScale() * std::sqrt(squared));
+      length = std::max(length, surface.lengthScale(facet) * std::sqrt(squared));
     }
     lengths.push_back(lengths.back() + length);
   }

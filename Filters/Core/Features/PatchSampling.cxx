@@ -33,13 +33,12 @@ PatchSizes measurePatches(const FeaturedSurface& featured)
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
     const Index patch = features.facetPatches[f];
-    const FacetConstants& constants = surface.constants[f];
-    sizes.area[patch] += constants.siteMeasure();
+    sizes.area[patch] += surface.siteMeasureOf(f);
     for (int k = 0; k < 3; ++k)
     {
       if (features.kind(f, k) != FeatureKind::None)
       {
-        sizes.border[patch] += constants.lengthScale() * std::sqrt(constants.edge2[k]);
+        sizes.border[patch] += surface.lengthScale(f) * std::sqrt(surface.constants[f].edge2[k]);
       }
     }
   }

@@ -8,7 +8,7 @@
 #ifndef remesh_FacetGeometry_h
 #define remesh_FacetGeometry_h
 
-#include "Support/Types.h"
+#include "Mesh/SurfaceMesh.h"
 
 #include <Eigen/Geometry>
 
@@ -60,6 +60,12 @@ inline double lengthOf(const Point3& v)
 inline double facetArea(const Point3& a, const Point3& b, const Point3& c)
 {
   return 0.5 * lengthOf(doubleAreaVector(a, b, c));
+}
+
+inline double facetArea(const SurfaceMesh& mesh, Index facet)
+{
+  const auto& [a, b, c] = mesh.facetPoints[facet];
+  return facetArea(mesh.points[a], mesh.points[b], mesh.points[c]);
 }
 
 /** Unit normal; zero if the points are collinear: the sine of the angle is below 1e-150. */

@@ -39,10 +39,10 @@ std::vector<double> measureCells(
   std::vector<double> areas(cells.patches.size(), 0.0);
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
   {
-    const FacetConstants& facet = surface.constants[diagram.facets[p]];
+    const Index facet = diagram.facets[p];
     const double fraction = diagram.integrals[p].fraction();
-    measures[diagram.sites[p]] += fraction * facet.siteMeasure();
-    areas[diagram.sites[p]] += fraction * facet.embeddedArea();
+    measures[diagram.sites[p]] += fraction * surface.siteMeasureOf(facet);
+    areas[diagram.sites[p]] += fraction * surface.embeddedArea(facet);
   }
   cells.scales.resize(areas.size());
   std::transform(measures.begin(), measures.end(), areas.begin(), cells.scales.begin(),

@@ -65,7 +65,6 @@ EmbeddedSurface extractFacets(const EmbeddedSurface& surface, const std::vector<
   part.patches = surface.patches;
   part.center = surface.center;
   part.unit = surface.unit;
-  part.hasDensity = surface.hasDensity;
   part.densityUnit = surface.densityUnit;
   std::vector<Index> ids(static_cast<std::size_t>(surface.numberOfCorners()), noIndex);
   std::vector<Index> corners;
@@ -84,8 +83,12 @@ EmbeddedSurface extractFacets(const EmbeddedSurface& surface, const std::vector<
     }
     facetCorners.push_back(ends);
     part.constants.push_back(surface.constants[facet]);
+    if (surface.hasDensity())
+    {
+      part.densities.push_back(surface.densities[facet]);
+    }
     part.mass += part.constants.back().mass;
-    part.siteMeasure += part.constants.back().siteMeasure();
+    part.siteMeasure += surface.siteMeasureOf(facet);
   }
   part.facetCorners = std::move(facetCorners);
   if (surface.source.isLent())
@@ -169,8 +172,8 @@ SitesInPart sitesOn(const std::vector<Index>& facets, const Diagram& diagram,
 }
 
 Status relaxAround(const EmbeddedSurface& surface, const Diagram& diagram, const Sites& earlier,
-  const SiteChanges& changes, const std::vector<double>& places, int iterations,
-  std::uint64_t seed, const RunControl& control, Sites& later)
+  const SiteChanges& changes, const std::vector<double>& places, int iterations, std::uint64_t seed,
+  const RunControl& control, Sites& later)
 {
   const Neighborhood around = findNeighborhood(surface, earlier, places);
   const std::vector<Index> facets = facetsOf(diagram, around.covers);
@@ -192,8 +195,8 @@ Status relaxAround(const EmbeddedSurface& surface, const Diagram& diagram, const
   CellSums sums;
   Convergence apart; // not the optimisation's
   Index emptyCells = 0;
-  Status status = relaxLloyd(
-    voronoi, partOfSurface, iterations, seed, control, sites, sums, apart, emptyCells);
+  Status status =
+    relaxLloyd(voronoi, partOfSurface, iterations, seed, control, sites, sums, apart, emptyCells);
   for (Index k = sites.fixed; status.ok() && k < sites.count(); ++k)
   {
     std::copy_n(sites.site(k), sites.dimension, later.site(part.ids[k]));

@@ -162,8 +162,10 @@ Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, Sampl
     return status;
   }
   std::vector<double> weights(surface.constants.size());
-  std::transform(surface.constants.begin(), surface.constants.end(), weights.begin(),
-    [](const FacetConstants& facet) { return facet.siteMeasure(); });
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    weights[facet] = surface.siteMeasureOf(facet);
+  }
   const FacetSampler sampler(surface, weights);
   sites = Sites{};
   sites.dimension = surface.dimension;
@@ -177,7 +179,7 @@ Status drawSites(const EmbeddedSurface& surface, const std::vector<Index>& facet
 {
   std::vector<double> weights(facets.size());
   std::transform(facets.begin(), facets.end(), weights.begin(),
-    [&](Index facet) { return surface.constants[facet].siteMeasure(); });
+    [&](Index facet) { return surface.siteMeasureOf(facet); });
   const FacetSampler sampler(surface, weights, facets);
   const Index first = sites.count();
   sites.coordinates.resize(sites.coordinates.size() +

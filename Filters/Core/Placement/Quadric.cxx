@@ -27,7 +27,7 @@ Point3 minimiser(const PlacementProblem& problem, Index vertex)
     const Offset piece = components.pieces[p];
     const Index facet = problem.diagram.facets[piece];
     const double area =
-      problem.diagram.integrals[piece].fraction() * problem.surface.constants[facet].area;
+      problem.diagram.integrals[piece].fraction() * facetArea(problem.mesh, facet);
     if (!(area > 0.0))
     {
       continue;

@@ -62,8 +62,7 @@ void forEachSample(
   const auto areaOf = [&](Offset p)
   {
     const Offset piece = components.pieces[p];
-    return diagram.integrals[piece].fraction() *
-      problem.surface.constants[diagram.facets[piece]].area;
+    return diagram.integrals[piece].fraction() * facetArea(problem.mesh, diagram.facets[piece]);
   };
   const Offset begins = components.pieceBegin[component];
   Offset ends = components.pieceBegin[component + 1];

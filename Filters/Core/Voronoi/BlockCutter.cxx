@@ -13,18 +13,19 @@ BlockCutter<D>::BlockCutter(const CutTask& task)
 }
 
 template <int D>
-void BlockCutter<D>::addWholeFacet(Index facet, Index owner)
+void BlockCutter<D>::addWholeFacets(Index begin, Index end, Index owner)
 {
-  if (D == Eigen::Dynamic && m_task.surface.dimension >= manyDimensions)
+  if (D != Eigen::Dynamic || m_task.surface.dimension < manyDimensions)
   {
-    const std::vector<double>& squared = m_task.ownership.squared();
+    m_accumulator.addWholeFacets(begin, end, owner);
+    return;
+  }
+  const std::vector<double>& squared = m_task.ownership.squared();
+  for (Index facet = begin; facet < end; ++facet)
+  {
     const Triple& corners = m_task.surface.facetCorners[facet];
     const double h[3] = { squared[corners[0]], squared[corners[1]], squared[corners[2]] };
     m_accumulator.add(facet, owner, integrateWholeFacet(m_task.surface.constants[facet], h));
-  }
-  else
-  {
-    m_accumulator.addWholeFacet(facet, owner);
   }
 }
 
@@ -60,17 +61,20 @@ void BlockCutter<D>::integrate(Offset begin, Offset end, BlockSums& sums)
 {
   m_accumulator.begin(sums);
   m_decomposition.beginBlock();
-  for (auto facet = static_cast<Index>(begin); facet < end; ++facet)
+  for (auto facet = static_cast<Index>(begin); facet < end;)
   {
     const Index owner = this->ownerOfAll(facet);
-    if (owner != noIndex)
+    const Index first = facet++;
+    if (owner == noIndex)
     {
-      this->addWholeFacet(facet, owner);
+      this->addSharedFacet(first);
+      continue;
     }
-    else
+    while (facet < end && this->ownerOfAll(facet) == owner)
     {
-      this->addSharedFacet(facet);
+      ++facet;
     }
+    this->addWholeFacets(first, facet, owner);
   }
   m_accumulator.finish();
 }

@@ -49,7 +49,7 @@ private:
     const Index owner = owners[corners[0]];
     return owner == owners[corners[1]] && owner == owners[corners[2]] ? owner : noIndex;
   }
-  void addWholeFacet(Index facet, Index owner);
+  void addWholeFacets(Index begin, Index end, Index owner);
   void addSharedFacet(Index facet);
   PieceIntegral integralOf(Index facet, const FacetPiece& piece, bool whole) const;
 

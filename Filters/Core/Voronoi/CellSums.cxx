@@ -2,6 +2,7 @@
 
 #include "Support/BlockedVectors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int scalars = 3; // mass, area, energy
+constexpr int scalars = 2; // mass, energy
 
 /** For each site, its entries (block, slot) in the order of the blocks. */
 struct EntriesOfSites
@@ -92,8 +93,7 @@ void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piec
   const FacetConstants& constants = m_surface.constants[facet];
   double* values = this->valuesOf(site);
   values[0] += piece.fraction() * constants.mass;
-  values[1] += piece.fraction() * constants.area;
-  values[2] += piece.energy;
+  values[1] += piece.energy;
   if (m_gathers)
   {
     for (int k = 0; k < 3; ++k)
@@ -116,25 +116,31 @@ void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piec
 }
 
 template <int D>
-void BlockAccumulator<D>::addWholeFacet(Index facet, Index site)
+void BlockAccumulator<D>::addWholeFacets(Index begin, Index end, Index site)
 {
+  using Coordinates = Eigen::Array<double, D, 1>;
+  using Row = Eigen::Map<const Coordinates>;
   const int d = this->dimension();
-  const FacetConstants& constants = m_surface.constants[facet];
-  const auto [p0, p1, p2] = m_corners.facet(facet);
-  const double* x = m_sites.site(site);
+  const Row x(m_sites.site(site), d);
   double* values = this->valuesOf(site);
-  double* moment = values + scalars;
-  double squared = 0.0;
-  for (int k = 0; k < d; ++k)
+  Eigen::Map<Coordinates> moments(values + scalars, d);
+  Coordinates moment = moments; // in registers meanwhile
+  double mass = values[0];
+  double energy = values[1];
+  Coordinates offset(d);
+  for (Index facet = begin; facet < end; ++facet)
   {
-    const double offset = (p0[k] + p1[k] + p2[k]) * (1.0 / 3.0) - x[k];
-    moment[k] += constants.mass * offset;
-    squared += offset * offset;
+    const FacetConstants& constants = m_surface.constants[facet];
+    const auto [p0, p1, p2] = m_corners.facet(facet);
+    offset = (Row(p0, d) + Row(p1, d) + Row(p2, d)) * (1.0 / 3.0) - x;
+    const double* e = constants.edge2;
+    mass += constants.mass;
+    energy += constants.mass * (offset.matrix().squaredNorm() + (e[0] + e[1] + e[2]) / 36.0);
+    moment += constants.mass * offset;
   }
-  const double* e = constants.edge2;
-  values[0] += constants.mass;
-  values[1] += constants.area;
-  values[2] += constants.mass * (squared + (e[0] + e[1] + e[2]) / 36.0);
+  values[0] = mass;
+  values[1] = energy;
+  moments = moment;
 }
 
 template <int D>
@@ -172,7 +178,6 @@ void beginSums(Index numberOfSites, int dimension, CellSums& sums)
 {
   const auto n = static_cast<std::size_t>(numberOfSites);
   sums.mass.assign(n, 0.0);
-  sums.area.assign(n, 0.0);
   sums.energy.assign(n, 0.0);
   sums.moment.assign(n * static_cast<std::size_t>(dimension), 0.0);
 }
@@ -195,8 +200,7 @@ Status addBlocks(
           const double* values =
             blocks[block].values.data() + static_cast<std::size_t>(slot) * (scalars + d);
           sums.mass[site] += values[0];
-          sums.area[site] += values[1];
-          sums.energy[site] += values[2];
+          sums.energy[site] += values[1];
           for (std::size_t k = 0; k < d; ++k)
           {
             moment[k] += values[scalars + k];

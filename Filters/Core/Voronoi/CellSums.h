@@ -15,11 +15,10 @@
 
 namespace remesh
 {
-/** Per site, in scaled units (area in the unit of the points). All but `area` by density. */
+/** Per site, in scaled units, weighted by density. */
 struct CellSums
 {
   std::vector<double> mass;   ///< n, of the cell: density times area in R^d
-  std::vector<double> area;   ///< n, area of the cell in R^3
   std::vector<double> energy; ///< n, integral of |x - x_i|^2 over the cell
   std::vector<double> moment; ///< n x d, integral of x - x_i over the cell
 
@@ -34,7 +33,7 @@ struct CellSums
 struct BlockSums
 {
   std::vector<Index> sites;
-  std::vector<double> values; ///< per site: mass, area, energy, then d of moment
+  std::vector<double> values; ///< per site: mass, energy, then d of moment
 };
 
 /** Collects the sums of one block after the other; one per thread. D: see dispatchDimension. */
@@ -47,8 +46,8 @@ public:
   void begin(BlockSums& sums);
   void add(Index facet, Index site, const PieceIntegral& piece);
 
-  /** The whole facet, in one cell: its centroid and second moment say all. */
-  void addWholeFacet(Index facet, Index site);
+  /** Facets one after the other, wholly in one cell: centroid and second moment say all. */
+  void addWholeFacets(Index begin, Index end, Index site);
 
   /** Ends the block. */
   void finish();

@@ -37,10 +37,9 @@ Status sumSitesPlainly(const EmbeddedSurface& surface, const Sites& sites, const
     [&](Offset piece, Index facet, const PieceIntegral& integral)
     {
       const Index site = diagram.sites[piece];
-      const FacetConstants& constants = surface.constants[facet];
-      const double area = constants.embeddedArea();
+      const double area = surface.embeddedArea(facet);
       sums.mass[site] += integral.fraction() * area;
-      sums.energy[site] += integral.energy / constants.density;
+      sums.energy[site] += integral.energy / surface.density(facet);
       const auto corners = reader.facet(facet);
       const double* x = sites.site(site);
       double* moment = sums.moment.data() + static_cast<std::size_t>(site) * d;
@@ -64,9 +63,8 @@ Status sumGroupsPlainly(const EmbeddedSurface& surface, const Diagram& diagram,
   const bool done = forEachPiece(diagram, control,
     [&](Offset piece, Index facet, const PieceIntegral& integral)
     {
-      const FacetConstants& constants = surface.constants[facet];
-      sums.mass[groups[piece]] += integral.fraction() * constants.embeddedArea();
-      sums.energy[groups[piece]] += integral.energy / constants.density;
+      sums.mass[groups[piece]] += integral.fraction() * surface.embeddedArea(facet);
+      sums.energy[groups[piece]] += integral.energy / surface.density(facet);
     });
   return done ? Status::success() : Status::cancelled();
 }
