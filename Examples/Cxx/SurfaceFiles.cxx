@@ -335,6 +335,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
       RestorePlyCoordinates(path, surface);
     }
     CheckCells(surface);
+    surface->GetPolys()->ConvertToSmallestStorage(); // readers give ids of 64 bits
     return surface;
   }
   catch (const Failure& failure)

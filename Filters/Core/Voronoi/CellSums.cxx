@@ -104,15 +104,14 @@ void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piec
     return;
   }
   const auto [p0, p1, p2] = m_corners.facet(facet);
-  const double* x = m_sites.site(site);
+  using Coordinates = Eigen::Array<double, D, 1>;
+  using Row = Eigen::Map<const Coordinates>;
+  const Row x(m_sites.site(site), d);
   const double w0 = piece.weights[0] * constants.mass;
   const double w1 = piece.weights[1] * constants.mass;
   const double w2 = piece.weights[2] * constants.mass;
-  double* moment = values + scalars;
-  for (int k = 0; k < d; ++k)
-  {
-    moment[k] += w0 * (p0[k] - x[k]) + w1 * (p1[k] - x[k]) + w2 * (p2[k] - x[k]);
-  }
+  Eigen::Map<Coordinates>(values + scalars, d) +=
+    w0 * (Row(p0, d) - x) + w1 * (Row(p1, d) - x) + w2 * (Row(p2, d) - x);
 }
 
 template <int D>

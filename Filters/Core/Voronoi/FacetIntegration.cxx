@@ -74,21 +74,17 @@ typename FacetIntegration<D>::Owners FacetIntegration<D>::distinctOwners(
 template <int D>
 void FacetIntegration<D>::look(Index site, const Triple& corners, View& view) const
 {
+  using Coordinates = Eigen::Array<double, D, 1>;
+  using Row = Eigen::Map<const Coordinates>;
   view.site = site;
   const int d = D == Eigen::Dynamic ? m_surface.dimension : D;
-  const double* x = m_sites.site(site);
+  const Row x(m_sites.site(site), d);
   for (int k = 0; k < 3; ++k)
   {
-    const double* p = m_surface.corner(corners[k]);
-    double* seen = view.points.data() + k * d;
-    double squared = 0.0;
-    for (int m = 0; m < d; ++m)
-    {
-      seen[m] = p[m] - x[m];
-      squared += seen[m] * seen[m];
-    }
-    view.squared[k] = squared;
-    view.values[k] = squared - m_views[0].squared[k];
+    Eigen::Map<Coordinates> seen(view.points.data() + k * d, d);
+    seen = Row(m_surface.corner(corners[k]), d) - x;
+    view.squared[k] = seen.matrix().squaredNorm();
+    view.values[k] = view.squared[k] - m_views[0].squared[k];
   }
 }
 
