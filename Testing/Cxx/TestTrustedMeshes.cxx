@@ -299,6 +299,60 @@ void testThinSheet()
   }
 }
 
+/** Two sides over a triangle with this angle between two long ones: sharp creases, three tips. */
+vtkSmartPointer<vtkPolyData> pillow(double degrees, double height)
+{
+  constexpr int n = 40; // rows from the middle to each side of the triangle
+  const double half = std::tan(0.5 * degrees * std::acos(-1.0) / 180.0);
+  const Point3 middle(2.0 / 3.0, 0.0, 0.0);
+  const Point3 tips[] = { { 0.0, 0.0, 0.0 }, { 1.0, -half, 0.0 }, { 1.0, half, 0.0 } };
+  TriangleSoup soup;
+  for (const double side : { 1.0, -1.0 })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point3 first = tips[k] - middle;
+      const Point3 second = tips[(k + 1) % 3] - middle;
+      const auto addPoint = [&](int row, int at)
+      {
+        const double share = static_cast<double>(row) / n;
+        const Point3 up(0.0, 0.0, side * height * (1.0 - share * share));
+        soup.points.push_back(middle + ((row - at) * first + at * second) / n + up);
+        return static_cast<Offset>(soup.points.size()) - 1;
+      };
+      const auto addTriangle = [&](Offset a, Offset b, Offset c) {
+        soup.triangles.push_back({ a, side > 0.0 ? b : c, side > 0.0 ? c : b });
+      };
+      for (int row = 0; row < n; ++row)
+      {
+        for (int at = 0; at <= row; ++at)
+        {
+          addTriangle(addPoint(row, at), addPoint(row + 1, at), addPoint(row + 1, at + 1));
+          if (at < row)
+          {
+            addTriangle(addPoint(row, at), addPoint(row + 1, at + 1), addPoint(row, at + 1));
+          }
+        }
+      }
+    }
+  }
+  return polyDataOf(soup);
+}
+
+/** Where two creases meet at a narrow tip, both sides first have the same triangle there. */
+void testThinTips()
+{
+  for (const auto& [degrees, height] : { std::pair(25.0, 0.02), std::pair(30.0, 0.01) })
+  {
+    const auto surface = pillow(degrees, height);
+    for (const vtkIdType points : { 100, 200 })
+    {
+      keepingMesh(surface, points, 0.0);
+      keepingMesh(surface, points, 0.1);
+    }
+  }
+}
+
 /** A torus whose hole is far smaller than the cells: they are closed in on it until it is kept. */
 void testNarrowHole()
 {
@@ -375,6 +429,7 @@ int TestTrustedMeshes(int, char*[])
   testRoughSphere();
   testBumps();
   testThinSheet();
+  testThinTips();
   testNarrowHole();
   testNarrowHoles();
   testHoles();

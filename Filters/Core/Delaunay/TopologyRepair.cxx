@@ -1,5 +1,6 @@
 #include "Delaunay/TopologyRepair.h"
 
+#include "Delaunay/ThinTips.h"
 #include "Embedding/CornerReader.h"
 #include "Embedding/Distance.h"
 #include "Support/SortUnique.h"
@@ -142,6 +143,7 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
     return cutTips && uses[component] <= mostUses &&
       components.sites[component] >= places.sites.fixed;
   };
+  ThinTips thinTips(places, components);
   for (const auto& [a, b, c] : certificate.vertices)
   {
     if (!taken[a] && !taken[b] && !taken[c])
@@ -154,7 +156,14 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
       }
       else
       {
-        refine(least, noIndex);
+        const std::vector<double> place = uses[least] <= 1
+          ? thinTips.placeBetween(least, a == least ? b : a, c == least ? b : c)
+          : std::vector<double>();
+        refinement.added.insert(refinement.added.end(), place.begin(), place.end());
+        if (place.empty())
+        {
+          refine(least, noIndex);
+        }
       }
     }
   }

@@ -1,0 +1,116 @@
+#include "Delaunay/ThinTips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace remesh
+{
+namespace
+{
+/** Between two ends, where the distance from a centre is the radius, or nearest to it. */
+Eigen::VectorXd placeAtRadius(const Eigen::VectorXd& center, double radius,
+  const Eigen::VectorXd& begin, const Eigen::VectorXd& end)
+{
+  const Eigen::VectorXd way = end - begin;
+  const Eigen::VectorXd from = begin - center;
+  const double a = way.squaredNorm();
+  const double b = from.dot(way);
+  const double root = std::sqrt(std::max(0.0, b * b - a * (from.squaredNorm() - radius * radius)));
+  double best = 0.0;
+  double leastGap = std::numeric_limits<double>::infinity();
+  for (const double t : { (root - b) / a, (-root - b) / a })
+  {
+    const double inside = std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.0;
+    const double gap = std::abs((from + inside * way).norm() - radius);
+    if (gap < leastGap)
+    {
+      leastGap = gap;
+      best = inside;
+    }
+  }
+  return begin + best * way;
+}
+}
+
+ThinTips::ThinTips(const VertexPlaces& places, const Components& components)
+  : m_places(places)
+  , m_components(components)
+  , m_reader(places.surface)
+{
+}
+
+bool ThinTips::isFixed(Index component) const
+{
+  return m_components.sites[component] < m_places.sites.fixed;
+}
+
+ThinTips::Vector ThinTips::rowOf(const double* row) const
+{
+  return Eigen::Map<const Vector>(row, m_places.surface.dimension);
+}
+
+/** The copy of a component's site on the patch of another site, or nullptr. */
+const double* ThinTips::siteOnPatch(Index component, Index other) const
+{
+  const auto patchOf = [this](Index site)
+  { return m_places.surface.patches.patchOf(m_places.sites.site(site)); };
+  for (Offset p = m_components.pieceBegin[component]; p < m_components.pieceBegin[component + 1];
+       ++p)
+  {
+    const Index site = m_places.diagram.sites[m_components.pieces[p]];
+    if (patchOf(site) == patchOf(other))
+    {
+      return m_places.sites.site(site);
+    }
+  }
+  return nullptr;
+}
+
+ThinTips::Vector ThinTips::placeOf(Offset piece, Offset vertex)
+{
+  const auto corners = m_reader.facet(m_places.diagram.facets[piece]);
+  const std::array<double, 3> b = m_places.at(piece, vertex);
+  return b[0] * this->rowOf(corners[0]) + b[1] * this->rowOf(corners[1]) +
+    b[2] * this->rowOf(corners[2]);
+}
+
+std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index second)
+{
+  std::vector<double> best;
+  if (!this->isFixed(corner) || !this->isFixed(first) || !this->isFixed(second))
+  {
+    return best;
+  }
+  const Diagram& diagram = m_places.diagram;
+  double leastGap = std::numeric_limits<double>::infinity();
+  for (Offset p = m_components.pieceBegin[first]; p < m_components.pieceBegin[first + 1]; ++p)
+  {
+    const Index piece = m_components.pieces[p];
+    const Index site = diagram.sites[piece];
+    const double* center = this->siteOnPatch(corner, site);
+    const Offset end = diagram.vertexBegin[piece + 1];
+    for (Offset v = diagram.vertexBegin[piece]; v < end && center != nullptr; ++v)
+    {
+      const Index across = diagram.across[v];
+      if (across < 0 ||
+        m_components.ofPiece[diagram.pieceOf(diagram.facets[piece], across)] != second)
+      {
+        continue;
+      }
+      const Offset next = v + 1 < end ? v + 1 : diagram.vertexBegin[piece];
+      const Vector from = this->rowOf(center);
+      const double radius = (this->rowOf(m_places.sites.site(site)) - from).norm();
+      const Vector place =
+        placeAtRadius(from, radius, this->placeOf(piece, v), this->placeOf(piece, next));
+      const double gap = std::abs((place - from).norm() - radius);
+      if (gap < leastGap)
+      {
+        leastGap = gap;
+        best.assign(place.data(), place.data() + place.size());
+      }
+    }
+  }
+  return best;
+}
+}

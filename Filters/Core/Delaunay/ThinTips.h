@@ -1,0 +1,48 @@
+/**
+ * @file ThinTips.h
+ * @brief Where a site goes at the tip of a thin sheet, between the two curves that meet there.
+ *
+ * Both sides of the sheet first have the same triangle there, of the corner and the next point on
+ * each curve. A site at the vertex of the diagram that it is the dual of would reach the curves; so
+ * these would be divided nearer to the corner, and the same would follow at every scale. A site
+ * about as far from the corner as those points are, in the middle between them, reaches neither
+ * curve, and parts their cells on its side: for any angle between the curves it is inside of the
+ * triangle's circumscribed circle, and outside of those whose diameters are the curves' sections.
+ */
+#ifndef remesh_ThinTips_h
+#define remesh_ThinTips_h
+
+#include "Delaunay/Components.h"
+#include "Embedding/CornerReader.h"
+#include "Voronoi/VertexPlaces.h"
+
+namespace remesh
+{
+class ThinTips
+{
+public:
+  ThinTips(const VertexPlaces& places, const Components& components);
+
+  /**
+   * @param corner, first, second components that meet at two vertices of the diagram.
+   * @return on the surface, d scaled coordinates, where the cells of `first` and `second` meet as
+   *         far from the corner's site as that of `first` is, or the nearest to it. Empty if they
+   *         are not all of fixed sites, or meet nowhere else. Cost: O(pieces of the cells).
+   */
+  std::vector<double> placeBetween(Index corner, Index first, Index second);
+
+private:
+  using Vector = Eigen::VectorXd;
+
+  bool isFixed(Index component) const;
+  const double* siteOnPatch(Index component, Index other) const;
+  Vector placeOf(Offset piece, Offset vertex);
+  Vector rowOf(const double* row) const;
+
+  const VertexPlaces& m_places;
+  const Components& m_components;
+  CornerReader<Eigen::Dynamic> m_reader;
+};
+}
+
+#endif
