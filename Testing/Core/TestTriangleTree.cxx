@@ -39,9 +39,12 @@ void testAgainstAll(const TriangleSoup& soup)
 
     const double reach = 1.1 * std::sqrt(place.at.squared) + 0.02;
     std::vector<TriangleTree::Place> closest;
-    for (const Index from : { noIndex, hint, Index(0) })
+    // Known to be no farther than the closest one, another one, one that is not there, or nothing.
+    const double squared = place.at.squared;
+    for (const double near :
+      { squared, all[0], 0.5 * squared, std::numeric_limits<double>::infinity() })
     {
-      tree.findClosest(point, { 0.1, 0.02 }, from, closest);
+      tree.findClosest(point, { 0.1, 0.02 }, near, closest);
       std::set<Index> slots;
       for (const TriangleTree::Place& one : closest)
       {

@@ -28,8 +28,11 @@ Status measureNormalDeviations(const Triangles& mesh, const TriangleTree& surfac
   {
     const auto [a, b, c] = mesh.corners(t);
     const Point3 normal = facetNormal(a, b, c);
-    const Index hint = closest.empty() ? noIndex : closest.front().slot;
-    surface.findClosest((a + b + c) / 3.0, asClose, hint, closest);
+    const Point3 middle = (a + b + c) / 3.0;
+    const double near = closest.empty()
+      ? std::numeric_limits<double>::infinity()
+      : surface.closestOn(closest.front().slot, middle).at.squared;
+    surface.findClosest(middle, asClose, near, closest);
     double least = 180.0;
     for (const TriangleTree::Place& place : closest)
     {

@@ -28,8 +28,8 @@ struct Refinement
 
 /**
  * A new site for each cell, or segments between two, where the certificate fails: at the vertex of
- * the diagram that is farthest from the site. What would be next to another one's cells is left for
- * later.
+ * the diagram that is farthest from the site, or at a thin tip between its curves (ThinTips.h).
+ * What would be next to another one's cells is left for later.
  *
  * @param cutTips whether cells with fewer than three neighbours, as at the tip of a spike, are left
  *        to these instead: the spike ends in one of them then.

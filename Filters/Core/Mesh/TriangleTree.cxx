@@ -200,37 +200,39 @@ TriangleTree::Place TriangleTree::closestOn(Index slot, const Point3& point) con
 }
 
 void TriangleTree::findClosest(
-  const Point3& point, const Tolerance& tolerance, Index hint, std::vector<Place>& places) const
+  const Point3& point, const Tolerance& tolerance, double squared, std::vector<Place>& places) const
 {
-  places.clear();
-  double best = std::numeric_limits<double>::infinity();
-  double reach = best;
-  const auto show = [&](const Place& place)
+  const auto reachOf = [&](double least)
   {
-    if (place.at.squared < best)
-    {
-      best = place.at.squared;
-      const double radius = (1.0 + tolerance.relative) * std::sqrt(best) + tolerance.absolute;
-      reach = radius * radius;
-    }
-    if (place.at.squared <= reach)
-    {
-      places.push_back(place);
-    }
+    const double radius = (1.0 + tolerance.relative) * std::sqrt(least) + tolerance.absolute;
+    return radius * radius;
   };
-  if (hint != noIndex && !this->empty())
-  {
-    show(this->closestOn(hint, point));
-  }
+  places.clear();
+  double best = squared;
+  double reach = reachOf(best);
+  bool found = false; // as close as was said
   this->visitLeaves(
-    point, [&](double squared) { return squared <= reach; },
+    point, [&](double distance2) { return distance2 <= reach; },
     [&](Index slot)
     {
-      if (slot != hint)
+      const Place place = this->closestOn(slot, point);
+      if (place.at.squared <= best)
       {
-        show(this->closestOn(slot, point));
+        found = true;
+        best = place.at.squared;
+        reach = reachOf(best);
+      }
+      if (place.at.squared <= reach)
+      {
+        places.push_back(place);
       }
     });
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!found && squared != infinity) // that one has no area
+  {
+    this->findClosest(point, tolerance, infinity, places);
+    return;
+  }
   places.erase(std::remove_if(places.begin(), places.end(),
                  [&](const Place& place) { return place.at.squared > reach; }),
     places.end());

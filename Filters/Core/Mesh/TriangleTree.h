@@ -76,12 +76,12 @@ public:
    * The place on each triangle that is as close as the closest one: no further than
    * (1 + relative) of its distance + absolute.
    *
-   * @param hint as for `closest`.
+   * @param squared the squared distance of a triangle that may be close, or infinity: saves time.
    * @param places in no particular order; empty if the tree is. Replaced.
    * Cost: that of `closest`, and of the places.
    */
-  void findClosest(
-    const Point3& point, const Tolerance& tolerance, Index hint, std::vector<Place>& places) const;
+  void findClosest(const Point3& point, const Tolerance& tolerance, double squared,
+    std::vector<Place>& places) const;
 
   /**
    * The slots of all triangles within a distance of a point, and of a few others near them; in no

@@ -16,14 +16,10 @@ constexpr double asExact = 1e-12; // of the surface's size, for places on it
 }
 
 WholeSurface::WholeSurface(const SurfaceMesh& mesh, const RunControl& control)
-  : m_tree({ mesh.points, mesh.facetPoints }, control)
-  , m_slots(mesh.facetPoints.size(), noIndex)
+  : m_facets{ mesh.points, mesh.facetPoints }
+  , m_tree(m_facets, control)
   , m_rounding(asExact * boundingBoxDiagonal(mesh))
 {
-  for (Index slot = 0; slot < m_tree.size(); ++slot)
-  {
-    m_slots[m_tree.triangleOf(slot)] = slot;
-  }
 }
 
 double WholeSurface::leastCosine(
@@ -31,7 +27,9 @@ double WholeSurface::leastCosine(
 {
   std::vector<TriangleTree::Place> closest;
   closest.reserve(8);
-  m_tree.findClosest(place, { asClose, m_rounding }, m_slots[facet], closest);
+  const auto [p, q, r] = m_facets.corners(facet);
+  const double near = closestOnTriangle(place, p, q, r).squared;
+  m_tree.findClosest(place, { asClose, m_rounding }, near, closest);
   double nearest = std::numeric_limits<double>::infinity();
   for (const TriangleTree::Place& near : closest)
   {

@@ -13,7 +13,7 @@
 
 namespace remesh
 {
-/** The mesh must outlive it. Cost: O(F), in parallel, and about 40 bytes a facet. */
+/** The mesh must outlive it. Cost: O(F), in parallel, and about 32 bytes a facet. */
 class WholeSurface
 {
 public:
@@ -31,9 +31,9 @@ public:
     double within = std::numeric_limits<double>::infinity()) const;
 
 private:
+  Triangles m_facets;
   TriangleTree m_tree;
-  std::vector<Index> m_slots; ///< F, of the facets in the tree; noIndex: without area
-  double m_rounding;          ///< of distances, unit of the points
+  double m_rounding; ///< of distances, unit of the points
 };
 }
 
