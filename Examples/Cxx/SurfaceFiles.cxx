@@ -335,7 +335,10 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
       RestorePlyCoordinates(path, surface);
     }
     CheckCells(surface);
-    surface->GetPolys()->ConvertToSmallestStorage(); // readers give ids of 64 bits
+    if (surface->GetNumberOfPolys() > 0)
+    {
+      surface->GetPolys()->ConvertToSmallestStorage(); // readers give ids of 64 bits
+    }
     return surface;
   }
   catch (const Failure& failure)

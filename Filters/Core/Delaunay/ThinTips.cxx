@@ -1,5 +1,7 @@
 #include "Delaunay/ThinTips.h"
 
+#include "Embedding/Distance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,9 +42,13 @@ ThinTips::ThinTips(const VertexPlaces& places, const Components& components)
 {
 }
 
+/** Whether it is of a site that stays, and the only one: that at the site's own place. */
 bool ThinTips::isFixed(Index component) const
 {
-  return m_components.sites[component] < m_places.sites.fixed;
+  const std::vector<Index>& sites = m_components.sites;
+  const auto k = static_cast<std::size_t>(component);
+  return sites[k] < m_places.sites.fixed && (k == 0 || sites[k - 1] != sites[k]) &&
+    (k + 1 == sites.size() || sites[k + 1] != sites[k]);
 }
 
 ThinTips::Vector ThinTips::rowOf(const double* row) const
@@ -50,21 +56,28 @@ ThinTips::Vector ThinTips::rowOf(const double* row) const
   return Eigen::Map<const Vector>(row, m_places.surface.dimension);
 }
 
-/** The copy of a component's site on the patch of another site, or nullptr. */
-const double* ThinTips::siteOnPatch(Index component, Index other) const
+/** Of the copies of a component's site, the nearest one on the patch of another site; or noIndex.
+ */
+Index ThinTips::copyBeside(Index component, Index other) const
 {
   const auto patchOf = [this](Index site)
   { return m_places.surface.patches.patchOf(m_places.sites.site(site)); };
+  const Index patch = patchOf(other);
+  Index nearest = noIndex;
+  double least = std::numeric_limits<double>::infinity();
   for (Offset p = m_components.pieceBegin[component]; p < m_components.pieceBegin[component + 1];
        ++p)
   {
     const Index site = m_places.diagram.sites[m_components.pieces[p]];
-    if (patchOf(site) == patchOf(other))
+    if (site != nearest && patchOf(site) == patch)
     {
-      return m_places.sites.site(site);
+      const double squared = squaredDistance<Eigen::Dynamic>(
+        m_places.sites.site(site), m_places.sites.site(other), m_places.surface.dimension);
+      nearest = squared < least ? site : nearest;
+      least = std::min(least, squared);
     }
   }
-  return nullptr;
+  return nearest;
 }
 
 ThinTips::Vector ThinTips::placeOf(Offset piece, Offset vertex)
@@ -88,9 +101,8 @@ std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index seco
   {
     const Index piece = m_components.pieces[p];
     const Index site = diagram.sites[piece];
-    const double* center = this->siteOnPatch(corner, site);
     const Offset end = diagram.vertexBegin[piece + 1];
-    for (Offset v = diagram.vertexBegin[piece]; v < end && center != nullptr; ++v)
+    for (Offset v = diagram.vertexBegin[piece]; v < end; ++v)
     {
       const Index across = diagram.across[v];
       if (across < 0 ||
@@ -98,9 +110,16 @@ std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index seco
       {
         continue;
       }
+      const Index copy = this->copyBeside(corner, site);
+      if (copy == noIndex)
+      {
+        continue;
+      }
       const Offset next = v + 1 < end ? v + 1 : diagram.vertexBegin[piece];
-      const Vector from = this->rowOf(center);
-      const double radius = (this->rowOf(m_places.sites.site(site)) - from).norm();
+      const Vector from = this->rowOf(m_places.sites.site(copy));
+      const double radius = 0.5 *
+        ((this->rowOf(m_places.sites.site(site)) - from).norm() +
+          (this->rowOf(m_places.sites.site(across)) - from).norm());
       const Vector place =
         placeAtRadius(from, radius, this->placeOf(piece, v), this->placeOf(piece, next));
       const double gap = std::abs((place - from).norm() - radius);

@@ -164,6 +164,10 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
         {
           refine(least, noIndex);
         }
+        else
+        {
+          refinement.meetings.insert({ a, b, c }); // left without a site of its own
+        }
       }
     }
   }
