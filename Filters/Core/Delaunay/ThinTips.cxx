@@ -56,8 +56,7 @@ ThinTips::Vector ThinTips::rowOf(const double* row) const
   return Eigen::Map<const Vector>(row, m_places.surface.dimension);
 }
 
-/** Of the copies of a component's site, the nearest one on the patch of another site; or noIndex.
- */
+/** Of the copies of a component's site, the nearest on the patch of another site; or noIndex. */
 Index ThinTips::copyBeside(Index component, Index other) const
 {
   const auto patchOf = [this](Index site)
@@ -88,6 +87,24 @@ ThinTips::Vector ThinTips::placeOf(Offset piece, Offset vertex)
     b[2] * this->rowOf(corners[2]);
 }
 
+/**
+ * The place on a side of a piece, towards another site, that is as far from a corner's site as the
+ * two are on average, or nearest to it; and how far it is off.
+ */
+std::pair<ThinTips::Vector, double> ThinTips::placeOnSide(Index center, Offset piece, Offset vertex)
+{
+  const Diagram& diagram = m_places.diagram;
+  const Vector from = this->rowOf(m_places.sites.site(center));
+  const auto distance = [&](Index site)
+  { return (this->rowOf(m_places.sites.site(site)) - from).norm(); };
+  const double radius = 0.5 * (distance(diagram.sites[piece]) + distance(diagram.across[vertex]));
+  const Offset next =
+    vertex + 1 < diagram.vertexBegin[piece + 1] ? vertex + 1 : diagram.vertexBegin[piece];
+  const Vector place =
+    placeAtRadius(from, radius, this->placeOf(piece, vertex), this->placeOf(piece, next));
+  return { place, std::abs((place - from).norm() - radius) };
+}
+
 std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index second)
 {
   std::vector<double> best;
@@ -101,8 +118,7 @@ std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index seco
   {
     const Index piece = m_components.pieces[p];
     const Index site = diagram.sites[piece];
-    const Offset end = diagram.vertexBegin[piece + 1];
-    for (Offset v = diagram.vertexBegin[piece]; v < end; ++v)
+    for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
     {
       const Index across = diagram.across[v];
       if (across < 0 ||
@@ -115,14 +131,7 @@ std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index seco
       {
         continue;
       }
-      const Offset next = v + 1 < end ? v + 1 : diagram.vertexBegin[piece];
-      const Vector from = this->rowOf(m_places.sites.site(copy));
-      const double radius = 0.5 *
-        ((this->rowOf(m_places.sites.site(site)) - from).norm() +
-          (this->rowOf(m_places.sites.site(across)) - from).norm());
-      const Vector place =
-        placeAtRadius(from, radius, this->placeOf(piece, v), this->placeOf(piece, next));
-      const double gap = std::abs((place - from).norm() - radius);
+      const auto [place, gap] = this->placeOnSide(copy, piece, v);
       if (gap < leastGap)
       {
         leastGap = gap;

@@ -17,6 +17,8 @@
 #include "Embedding/CornerReader.h"
 #include "Voronoi/VertexPlaces.h"
 
+#include <utility>
+
 namespace remesh
 {
 class ThinTips
@@ -40,6 +42,7 @@ private:
   bool isFixed(Index component) const;
   Index copyBeside(Index component, Index other) const;
   Vector placeOf(Offset piece, Offset vertex);
+  std::pair<Vector, double> placeOnSide(Index center, Offset piece, Offset vertex);
   Vector rowOf(const double* row) const;
 
   const VertexPlaces& m_places;

@@ -22,8 +22,10 @@ struct Refinement
 {
   std::vector<double> added;  ///< m x d, places of new sites in scaled units
   std::vector<Index> removed; ///< free sites
-  /** Components that meet at the vertices of the diagram with new sites, or with one beyond at a
-   * thin tip: no two at one of them. */
+  /**
+   * Components that meet at the vertices of the diagram with new sites, or with one beyond at a
+   * thin tip: no two at one of them.
+   */
   std::set<Triple> meetings;
 };
 
