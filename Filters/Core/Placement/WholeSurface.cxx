@@ -28,8 +28,8 @@ double WholeSurface::leastCosine(
   std::vector<TriangleTree::Place> closest;
   closest.reserve(8);
   const auto [p, q, r] = m_facets.corners(facet);
-  const double near = closestOnTriangle(place, p, q, r).squared;
-  m_tree.findClosest(place, { asClose, m_rounding }, near, closest);
+  const double known = closestOnTriangle(place, p, q, r).squared;
+  m_tree.findClosest(place, { asClose, m_rounding }, known, closest);
   double nearest = std::numeric_limits<double>::infinity();
   for (const TriangleTree::Place& near : closest)
   {
