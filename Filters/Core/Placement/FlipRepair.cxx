@@ -1,5 +1,6 @@
 #include "Placement/FlipRepair.h"
 
+#include "Placement/CavityRepair.h"
 #include "Placement/FlipPasses.h"
 #include "Placement/RepairedMesh.h"
 #include "Placement/StarRepair.h"
@@ -46,6 +47,10 @@ void mendFlipped(const RepairContext& context, const NearbySurface& surface,
   {
     repair.movedVertices +=
       untangle(context.problem, surface, triangle, rings, context.control, mesh);
+  }
+  if (passes.mayMendAround() && isFlipped())
+  {
+    refillAround(context, triangle, mesh, repair);
   }
   if (passes.mayMendAround() && isFlipped())
   {

@@ -57,7 +57,8 @@ struct FlipTask
  * 3. Moves the vertices around what is left over together (Untangling.h), unless it is very much;
  *    likewise in each pass of step 5.
  * 4. Turns edges of what is left then (not those along features), if the topology stays.
- * 5. What is left after that gets more places to try, and what is around it may move and turn:
+ * 5. What is left after that gets more places to try, and other triangles in the polygon that it
+ *    makes with some around it (CavityRepair.h); then what is around it may move and turn:
  *    steps need only lower what the triangles deviate from the surface's normals. Those around it
  *    are undone if the triangle stays flipped, until all else has been tried; and all of them since
  *    the number of flipped triangles last fell.

@@ -111,29 +111,37 @@ bool RepairedMesh::mayLose(Index vertex) const
   return triangles > (isOpen ? 1 : 3);
 }
 
+Index RepairedMesh::beyond(Index triangle, int k) const
+{
+  const Index a = m_triangles[triangle][(k + 1) % 3];
+  const Index b = m_triangles[triangle][(k + 2) % 3];
+  const Index other = this->acrossEdge(triangle, a, b);
+  if (other == noIndex || m_featureEdges.count(std::minmax(a, b)) > 0)
+  {
+    return noIndex;
+  }
+  const Triple& across = m_triangles[other];
+  const auto at = std::find(across.begin(), across.end(), b) - across.begin();
+  return across[(at + 1) % 3] == a ? other : noIndex;
+}
+
 bool RepairedMesh::canTurn(Index triangle, int k, Turn& turn) const
 {
+  const Index other = this->beyond(triangle, k);
+  if (other == noIndex)
+  {
+    return false;
+  }
   const Triple corners = m_triangles[triangle];
   const Index apex = corners[k];
   const Index a = corners[(k + 1) % 3];
   const Index b = corners[(k + 2) % 3];
-  const Index other = this->acrossEdge(triangle, a, b);
-  if (other == noIndex || m_featureEdges.count(std::minmax(a, b)) > 0)
-  {
-    return false;
-  }
-  const Triple across = m_triangles[other];
-  int far = 0;
-  while (across[far] == a || across[far] == b)
-  {
-    ++far;
-  }
-  const Index opposite = across[far];
-  const bool consistent = across[(far + 1) % 3] == b; // the two triangles turn the same way
+  const Triple& across = m_triangles[other];
+  const Index opposite = *std::find_if(
+    across.begin(), across.end(), [a, b](Index vertex) { return vertex != a && vertex != b; });
   const std::vector<Index> linked = this->neighbours(apex);
-  if (!consistent || opposite == apex ||
-    std::binary_search(linked.begin(), linked.end(), opposite) || !this->mayLose(a) ||
-    !this->mayLose(b))
+  if (opposite == apex || std::binary_search(linked.begin(), linked.end(), opposite) ||
+    !this->mayLose(a) || !this->mayLose(b))
   {
     return false;
   }
@@ -143,7 +151,12 @@ bool RepairedMesh::canTurn(Index triangle, int k, Turn& turn) const
 
 void RepairedMesh::apply(const Turn& turn)
 {
-  for (const Index t : turn.old)
+  this->replace({ turn.old.begin(), turn.old.end() }, { turn.fresh.begin(), turn.fresh.end() });
+}
+
+void RepairedMesh::replace(const std::vector<Index>& old, const std::vector<Triple>& fresh)
+{
+  for (const Index t : old)
   {
     for (const Index vertex : m_triangles[t])
     {
@@ -152,13 +165,13 @@ void RepairedMesh::apply(const Turn& turn)
       m_changedStars[vertex] = rest;
     }
   }
-  for (int k = 0; k < 2; ++k)
+  for (std::size_t k = 0; k < old.size(); ++k)
   {
-    m_triangles[turn.old[k]] = turn.fresh[k];
-    for (const Index vertex : turn.fresh[k])
+    m_triangles[old[k]] = fresh[k];
+    for (const Index vertex : fresh[k])
     {
       std::vector<Index>& more = m_changedStars[vertex];
-      more.insert(std::upper_bound(more.begin(), more.end(), turn.old[k]), turn.old[k]);
+      more.insert(std::upper_bound(more.begin(), more.end(), old[k]), old[k]);
     }
   }
 }

@@ -59,6 +59,15 @@ public:
   /** Replaces the two triangles; their stars follow. */
   void apply(const Turn& turn);
 
+  /**
+   * The triangle on the other side of the edge opposite to corner k of a triangle; noIndex where
+   * that is a feature, or there is not just one other, or it turns the other way.
+   */
+  Index beyond(Index triangle, int k) const;
+
+  /** Puts triangles in the place of as many others; the stars follow. */
+  void replace(const std::vector<Index>& old, const std::vector<Triple>& fresh);
+
   const std::vector<Triple>& triangles() const { return m_triangles; }
   std::vector<Point3>& positions() { return m_positions; }
 

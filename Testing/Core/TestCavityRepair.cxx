@@ -1,0 +1,196 @@
+// Flipped triangles whose corners cannot move, and that no edge turns back alone.
+#include "Placement/CavityRepair.h"
+#include "Placement/FlipSearch.h"
+#include "Placement/TriangleShape.h"
+#include "TestPlacements.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace
+{
+using namespace remesh;
+
+/** Sites on a square, whose vertices a test may misplace, but no repair may move. */
+struct Fixture
+{
+  SurfaceMesh mesh = test::meshOf(test::gridPatch(40, 40));
+  EmbeddedSurface surface = test::gaussMapOf(mesh, 0.05);
+  RemeshResult result = test::remeshed(mesh, 0.05, 300, VertexPlacement::Centroid);
+  std::vector<char> fixed = std::vector<char>(result.placement.positions.size(), 1);
+  std::vector<FeatureSegment> features;
+  PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
+    result.dual.triangles, fixed, &features };
+  NearbySurface near{ problem };
+
+  std::vector<Index> flipped(
+    const std::vector<Triple>& triangles, const std::vector<Point3>& positions) const
+  {
+    std::vector<Index> found;
+    CHECK(FlipSearch(near).find(triangles, positions, RunControl(), found).ok());
+    return found;
+  }
+};
+
+/** Each side of a triangle as it runs; each must be there once. */
+std::set<std::pair<Index, Index>> sidesOf(const std::vector<Triple>& triangles)
+{
+  std::set<std::pair<Index, Index>> sides;
+  for (const Triple& triangle : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      CHECK(sides.emplace(triangle[k], triangle[(k + 1) % 3]).second);
+    }
+  }
+  return sides;
+}
+
+std::set<std::pair<Index, Index>> bordersOf(const std::vector<Triple>& triangles)
+{
+  const std::set<std::pair<Index, Index>> sides = sidesOf(triangles);
+  std::set<std::pair<Index, Index>> borders;
+  for (const auto& [from, to] : sides)
+  {
+    if (sides.count({ to, from }) == 0)
+    {
+      borders.emplace(from, to);
+    }
+  }
+  return borders;
+}
+
+/**
+ * Refills around what is flipped, as long as that helps; the mesh's border and size stay.
+ *
+ * @return the number of edges that are others.
+ */
+Offset refillAll(
+  const Fixture& fixture, const std::vector<Point3>& positions, std::vector<Triple>& triangles)
+{
+  const std::vector<Triple> before = triangles;
+  std::vector<Point3> places = positions;
+  RepairedMesh mesh(fixture.problem, fixture.near, positions, triangles, places);
+  const RepairContext context{ fixture.problem, positions, RunControl(), true, strayCost };
+  FlipRepair repair;
+  for (bool any = true; any;)
+  {
+    any = false;
+    for (const Index t : fixture.flipped(triangles, positions))
+    {
+      any = (mesh.isFlipped(triangles[t]) && refillAround(context, t, mesh, repair)) || any;
+    }
+  }
+  CHECK(places == positions);
+  CHECK_EQUAL(triangles.size(), before.size());
+  CHECK(bordersOf(triangles) == bordersOf(before));
+  return repair.flippedEdges;
+}
+
+/** A vertex that was carried out of its star, over one or two triangles. */
+void testCarriedAway()
+{
+  const Fixture fixture;
+  const std::vector<Point3>& sound = fixture.result.placement.positions;
+  const double spacing = std::sqrt(test::surfaceArea(fixture.mesh) / 300.0);
+  int carried = 0;
+  for (std::size_t v = 0; v < sound.size(); v += 7)
+  {
+    std::vector<Point3> positions = sound;
+    positions[v][0] += 1.6 * spacing;
+    const bool inside = std::all_of(positions[v].data(), positions[v].data() + 2,
+      [&](double x) { return x > 2.0 * spacing && x < 1.0 - 2.0 * spacing; });
+    if (!inside || sound[v][0] < 2.0 * spacing)
+    {
+      continue;
+    }
+    ++carried;
+    std::vector<Triple> triangles = fixture.result.dual.triangles;
+    CHECK(!fixture.flipped(triangles, positions).empty());
+    CHECK(refillAll(fixture, positions, triangles) > 0);
+    CHECK(fixture.flipped(triangles, positions).empty());
+  }
+  CHECK(carried >= 10);
+}
+
+/** Points on a line, and the triangles between them, next to one with an apex beside the line. */
+std::vector<Triple> comb(Index points)
+{
+  std::vector<Triple> triangles{ { 0, points, points - 1 } };
+  Index first = 0;
+  Index last = points - 1;
+  for (bool front = true; last - first > 1; front = !front)
+  {
+    triangles.push_back(front ? Triple{ first, last, first + 1 } : Triple{ first, last, last - 1 });
+    (front ? first : last) += front ? 1 : -1;
+  }
+  return triangles;
+}
+
+/** Many triangles without a height, as on a straight crease: only a fan from beside it is sound. */
+void testStrip()
+{
+  const Fixture fixture;
+  constexpr Index points = 30;
+  std::vector<Point3> positions = fixture.result.placement.positions;
+  for (Index k = 0; k < points; ++k)
+  {
+    positions[k] = Point3(0.2 + 0.5 * k / points, 0.5, 0.0);
+  }
+  positions[points] = Point3(0.4, 0.2, 0.0);
+  const std::vector<Triple> flat = comb(points);
+  CHECK_EQUAL(static_cast<Index>(fixture.flipped(flat, positions).size()), points - 2);
+  std::vector<Triple> triangles = flat;
+  refillAll(fixture, positions, triangles);
+  CHECK(fixture.flipped(triangles, positions).empty());
+
+  triangles = flat;
+  const std::vector<Point3> before = positions;
+  FlipSearch search(fixture.near);
+  FlipRepair repair;
+  CHECK(repairFlips({ fixture.problem, fixture.near, before, before, RunControl() },
+    FlipSteps::MoveAndTurn, search, triangles, positions, repair)
+          .ok());
+  CHECK_EQUAL(repair.flippedTriangles, Offset(0));
+  CHECK(fixture.flipped(triangles, positions).empty());
+  CHECK(bordersOf(triangles) == bordersOf(flat));
+}
+
+/** Nothing is taken out across a feature, nor where that would double an edge of the mesh. */
+void testKept()
+{
+  Fixture fixture;
+  std::vector<Point3> positions = fixture.result.placement.positions;
+  const Point3 places[] = { { 0.2, 0.2, 0.0 }, { 0.8, 0.2, 0.0 }, { 0.5, 0.4, 0.0 },
+    { 0.5, 0.9, 0.0 } };
+  std::copy(std::begin(places), std::end(places), positions.begin());
+  // The first triangle is turned over by vertex 2, which is on the wrong side of its edge to 1.
+  const std::vector<Triple> bent{ { 0, 2, 1 }, { 0, 1, 3 } };
+  const std::vector<Triple> doubled{ { 0, 2, 1 }, { 0, 1, 3 }, { 2, 3, 4 }, { 3, 2, 5 } };
+  positions[4] = Point3(0.9, 0.6, 0.0);
+  positions[5] = Point3(0.1, 0.6, 0.0);
+
+  std::vector<Triple> triangles = bent;
+  CHECK(refillAll(fixture, positions, triangles) == 1);
+  CHECK(fixture.flipped(triangles, positions).empty());
+
+  triangles = doubled;
+  CHECK(refillAll(fixture, positions, triangles) == 0);
+  CHECK(triangles == doubled);
+
+  fixture.features.push_back({});
+  fixture.features.back().ends = { 0, 1 };
+  triangles = bent;
+  CHECK(refillAll(fixture, positions, triangles) == 0);
+  CHECK(triangles == bent);
+}
+}
+
+int TestCavityRepair(int, char*[])
+{
+  testCarriedAway();
+  testStrip();
+  testKept();
+  return test::result();
+}
