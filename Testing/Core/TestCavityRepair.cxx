@@ -2,11 +2,16 @@
 #include "Placement/CavityRepair.h"
 #include "Placement/FlipSearch.h"
 #include "Placement/TriangleShape.h"
+#include "Support/Random.h"
 #include "TestPlacements.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -114,57 +119,67 @@ void testCarriedAway()
   CHECK(carried >= 10);
 }
 
-/** Points on a line, and the triangles between them, next to one with an apex beside the line. */
-std::vector<Triple> comb(Index points)
+/** Corners of a polygon without crossings, in turn: at any distance from its middle. */
+std::vector<Point3> starPolygon(std::uint64_t seed, Index corners)
 {
-  std::vector<Triple> triangles{ { 0, points, points - 1 } };
-  Index first = 0;
-  Index last = points - 1;
-  for (bool front = true; last - first > 1; front = !front)
+  std::vector<Point3> places;
+  for (Index k = 0; k < corners; ++k)
   {
-    triangles.push_back(front ? Triple{ first, last, first + 1 } : Triple{ first, last, last - 1 });
-    (front ? first : last) += front ? 1 : -1;
+    const double angle = 2.0 * EIGEN_PI * k / corners;
+    const double radius = 0.05 + 0.4 * uniform01(seed, static_cast<std::uint64_t>(k), 0);
+    places.emplace_back(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle), 0.0);
+  }
+  return places;
+}
+
+/** All triangles with its first corner: those that it does not see are flipped. */
+std::vector<Triple> fan(Index corners)
+{
+  std::vector<Triple> triangles;
+  for (Index k = 2; k < corners; ++k)
+  {
+    triangles.push_back({ 0, k - 1, k });
   }
   return triangles;
 }
 
-/** Many triangles without a height, as on a straight crease: only a fan from beside it is sound. */
-void testStrip()
+/** Polygons in which many triangles must change together. */
+void testPolygons()
 {
   const Fixture fixture;
-  constexpr Index points = 30;
-  std::vector<Point3> positions = fixture.result.placement.positions;
-  for (Index k = 0; k < points; ++k)
+  constexpr Index corners = 24;
+  int flipped = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed)
   {
-    positions[k] = Point3(0.2 + 0.5 * k / points, 0.5, 0.0);
-  }
-  positions[points] = Point3(0.4, 0.2, 0.0);
-  const std::vector<Triple> flat = comb(points);
-  CHECK_EQUAL(static_cast<Index>(fixture.flipped(flat, positions).size()), points - 2);
-  std::vector<Triple> triangles = flat;
-  refillAll(fixture, positions, triangles);
-  CHECK(fixture.flipped(triangles, positions).empty());
+    std::vector<Point3> positions = fixture.result.placement.positions;
+    const std::vector<Point3> places = starPolygon(seed, corners);
+    std::copy(places.begin(), places.end(), positions.begin());
+    std::vector<Triple> triangles = fan(corners);
+    flipped += fixture.flipped(triangles, positions).empty() ? 0 : 1;
+    refillAll(fixture, positions, triangles);
+    CHECK(fixture.flipped(triangles, positions).empty());
 
-  triangles = flat;
-  const std::vector<Point3> before = positions;
-  FlipSearch search(fixture.near);
-  FlipRepair repair;
-  CHECK(repairFlips({ fixture.problem, fixture.near, before, before, RunControl() },
-    FlipSteps::MoveAndTurn, search, triangles, positions, repair)
-          .ok());
-  CHECK_EQUAL(repair.flippedTriangles, Offset(0));
-  CHECK(fixture.flipped(triangles, positions).empty());
-  CHECK(bordersOf(triangles) == bordersOf(flat));
+    triangles = fan(corners);
+    const std::vector<Point3> before = positions;
+    FlipSearch search(fixture.near);
+    FlipRepair repair;
+    CHECK(repairFlips({ fixture.problem, fixture.near, before, before, RunControl() },
+      FlipSteps::MoveAndTurn, search, triangles, positions, repair)
+            .ok());
+    CHECK_EQUAL(repair.flippedTriangles, Offset(0));
+    CHECK(bordersOf(triangles) == bordersOf(fan(corners)));
+  }
+  CHECK(flipped > 50);
 }
 
-/** Nothing is taken out across a feature, nor where that would double an edge of the mesh. */
+/** Nothing is taken out across a feature, where that would double an edge, or when cancelled. */
 void testKept()
 {
   Fixture fixture;
   std::vector<Point3> positions = fixture.result.placement.positions;
-  const Point3 places[] = { { 0.2, 0.2, 0.0 }, { 0.8, 0.2, 0.0 }, { 0.5, 0.4, 0.0 },
+  const Point3 corners[] = { { 0.2, 0.2, 0.0 }, { 0.8, 0.2, 0.0 }, { 0.5, 0.4, 0.0 },
     { 0.5, 0.9, 0.0 } };
-  std::copy(std::begin(places), std::end(places), positions.begin());
+  std::copy(std::begin(corners), std::end(corners), positions.begin());
   // The first triangle is turned over by vertex 2, which is on the wrong side of its edge to 1.
   const std::vector<Triple> bent{ { 0, 2, 1 }, { 0, 1, 3 } };
   const std::vector<Triple> doubled{ { 0, 2, 1 }, { 0, 1, 3 }, { 2, 3, 4 }, { 3, 2, 5 } };
@@ -179,6 +194,14 @@ void testKept()
   CHECK(refillAll(fixture, positions, triangles) == 0);
   CHECK(triangles == doubled);
 
+  std::vector<Point3> places = positions;
+  triangles = bent;
+  RepairedMesh mesh(fixture.problem, fixture.near, positions, triangles, places);
+  const RunControl cancelled({}, []() { return true; });
+  FlipRepair repair;
+  CHECK(!refillAround({ fixture.problem, positions, cancelled, true, strayCost }, 0, mesh, repair));
+  CHECK(triangles == bent);
+
   fixture.features.push_back({});
   fixture.features.back().ends = { 0, 1 };
   triangles = bent;
@@ -190,7 +213,7 @@ void testKept()
 int TestCavityRepair(int, char*[])
 {
   testCarriedAway();
-  testStrip();
+  testPolygons();
   testKept();
   return test::result();
 }

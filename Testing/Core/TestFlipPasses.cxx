@@ -20,6 +20,7 @@ struct Pass
 {
   bool isBest;
   bool mayTurn;
+  bool mayRefill;
   Effort effort;
   double leastGain;
 };
@@ -38,7 +39,8 @@ std::vector<Pass> passesOf(
     {
       return entered;
     }
-    entered.push_back({ passes.isBest(), passes.mayTurn(), passes.effort(), passes.leastGain() });
+    entered.push_back({ passes.isBest(), passes.mayTurn(), passes.mayRefill(), passes.effort(),
+      passes.leastGain() });
   }
   CHECK(false); // there is always a last one
   return entered;
@@ -95,6 +97,25 @@ void testEfforts()
   for (const Pass& pass : passesOf(always(5), oneInEach))
   {
     CHECK(pass.effort == Effort::OwnStars);
+  }
+}
+
+Offset passesThatRefill(const std::vector<Pass>& passes)
+{
+  return std::count_if(
+    passes.begin(), passes.end(), [](const Pass& pass) { return pass.mayRefill; });
+}
+
+/** Cavities are filled once, and after passes in vain; in each pass if few are flipped. */
+void testRefilling()
+{
+  CHECK_EQUAL(passesThatRefill(passesOf(always(5), oneInEach, FlipSteps::Move)), 0);
+  CHECK_EQUAL(passesThatRefill(passesOf(always(fewFlipped + 1), oneInEach)), 1);
+  CHECK(passesThatRefill(passesOf(always(fewFlipped), oneInEach)) > 3);
+  CHECK(passesThatRefill(passesOf(always(fewFlipped + 1), onlyLate)) > 1);
+  for (const Pass& pass : passesOf(always(5), oneInEach))
+  {
+    CHECK(!pass.mayRefill || pass.mayTurn);
   }
 }
 
@@ -156,6 +177,7 @@ int TestFlipPasses(int, char*[])
   testNothing();
   testMoving();
   testEfforts();
+  testRefilling();
   testVain();
   testTooMany();
   testBest();

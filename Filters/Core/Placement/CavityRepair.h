@@ -1,9 +1,9 @@
 /**
  * @file CavityRepair.h
- * @brief Gives a flipped triangle and some around it other diagonals.
+ * @brief Gives a flipped triangle and some around it other edges, several at once.
  *
  * Where all corners are on features, nothing can move, and often no edge turns alone without
- * flipping another triangle: several have to change at once.
+ * flipping another triangle.
  */
 #ifndef remesh_CavityRepair_h
 #define remesh_CavityRepair_h
@@ -15,15 +15,12 @@
 namespace remesh
 {
 /**
- * Takes out the triangle and as few others as help, that hang together with it and have neither a
- * vertex nor a feature between them, and fills their polygon with the triangles of the least cost
- * (G. T. Klincsek: "Minimal triangulations of polygonal domains", 1980); of polygons with as many
- * triangles, the one where that helps most. Failing that, the same from all flipped triangles on
- * that hang together with it. The topology stays, and so do vertices and their places.
+ * Takes the triangle out, and as few more around it as help, and fills the polygon that they leave
+ * anew (CavityFilling.h), such that fewer triangles are flipped; of polygons with as many triangles
+ * the one where the cost falls most. Vertices, their places and the topology stay.
  *
- * @return whether that lowers the cost by as much as the context wants. Cost: some hundreds of
- *         polygons, of up to some forty triangles only where few hang together; for each a step for
- *         each three corners, and once for each such triangle a look for the closest facet.
+ * @return whether that helps. Cost: some hundreds of polygons of a few triangles, or fewer that are
+ *         larger, where the surface is narrow.
  */
 bool refillAround(
   const RepairContext& context, Index triangle, RepairedMesh& mesh, FlipRepair& repair);

@@ -28,7 +28,8 @@ Effort moreThan(Effort effort)
 bool FlipPasses::enter(const FlipRepair& repair)
 {
   ++m_pass;
-  m_effort = this->isStuck(repair) ? moreThan(m_effort) : m_effort;
+  m_isStuck = this->isStuck(repair);
+  m_effort = m_isStuck ? moreThan(m_effort) : m_effort;
   m_isBest = m_pass > turningPass && repair.flippedTriangles < m_fewest;
   if (m_isBest)
   {
@@ -75,6 +76,12 @@ bool FlipPasses::mayMoveTogether() const
 {
   return m_pass >= untanglingPass && m_pass != turningPass &&
     m_entered.flippedTriangles <= mostUntangled;
+}
+
+bool FlipPasses::mayRefill() const
+{
+  const bool isNew = m_pass == turningPass + 1 || m_isStuck;
+  return m_pass > turningPass && m_entered.flippedTriangles <= (isNew ? mostUntangled : fewFlipped);
 }
 
 bool FlipPasses::mayMendAround() const

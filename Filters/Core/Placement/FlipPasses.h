@@ -16,7 +16,8 @@ namespace remesh
  * 1. In the first passes every step must turn a triangle back: vertices move alone, then together;
  *    in the last of these passes edges turn, too.
  * 2. In later ones steps need only lower what triangles deviate, and may spoil what they cannot
- *    mend. After a pass without a step the next one makes more effort.
+ *    mend. After a pass without a step the next one makes more effort. Cavities are filled anew in
+ *    the first of them, and after passes without a step; in all of them if few are flipped.
  * 3. There is no other pass when nothing is flipped, or more than is worth it; after all efforts;
  *    after a few passes in vain at the last effort, unless few triangles are left; and after as
  *    many passes as there may be.
@@ -44,6 +45,7 @@ public:
 
   bool mayTurn() const;                      ///< edges
   bool mayMoveTogether() const;              ///< vertices around a triangle (Untangling.h)
+  bool mayRefill() const;                    ///< cavities (CavityRepair.h)
   bool mayMendAround() const;                ///< a triangle that nothing helps alone
   Effort effort() const { return m_effort; } ///< at that
   double leastGain() const;                  ///< of a step (RepairContext)
@@ -59,6 +61,7 @@ private:
   int m_pass = -1;
   FlipRepair m_entered; ///< as it was when the pass was entered
   Effort m_effort = Effort::OwnStars;
+  bool m_isStuck = false; ///< the pass before took no step
   bool m_isBest = false;
   Offset m_fewest = std::numeric_limits<Offset>::max(); ///< flipped, since steps may spoil some
   int m_vainPasses = 0;                                 ///< at the last effort, since then

@@ -48,7 +48,7 @@ void mendFlipped(const RepairContext& context, const NearbySurface& surface,
     repair.movedVertices +=
       untangle(context.problem, surface, triangle, rings, context.control, mesh);
   }
-  if (passes.mayMendAround() && isFlipped())
+  if (passes.mayRefill() && isFlipped())
   {
     refillAround(context, triangle, mesh, repair);
   }

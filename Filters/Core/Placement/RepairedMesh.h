@@ -69,6 +69,7 @@ public:
   void replace(const std::vector<Index>& old, const std::vector<Triple>& fresh);
 
   const std::vector<Triple>& triangles() const { return m_triangles; }
+  const std::vector<Point3>& positions() const { return m_positions; }
   std::vector<Point3>& positions() { return m_positions; }
 
 private:
