@@ -84,7 +84,9 @@ Offset refillAll(
     any = false;
     for (const Index t : fixture.flipped(triangles, positions))
     {
-      any = (mesh.isFlipped(triangles[t]) && refillAround(context, t, mesh, repair)) || any;
+      any = (mesh.isFlipped(triangles[t]) &&
+              refillAround(context, t, Effort::OwnStars, mesh, repair)) ||
+        any;
     }
   }
   CHECK(places == positions);
@@ -199,7 +201,8 @@ void testKept()
   RepairedMesh mesh(fixture.problem, fixture.near, positions, triangles, places);
   const RunControl cancelled({}, []() { return true; });
   FlipRepair repair;
-  CHECK(!refillAround({ fixture.problem, positions, cancelled, true, strayCost }, 0, mesh, repair));
+  CHECK(!refillAround({ fixture.problem, positions, cancelled, true, strayCost }, 0,
+    Effort::KeptAnyway, mesh, repair));
   CHECK(triangles == bent);
 
   fixture.features.push_back({});
@@ -208,6 +211,33 @@ void testKept()
   CHECK(refillAll(fixture, positions, triangles) == 0);
   CHECK(triangles == bent);
 }
+
+/** Where all stay flipped, only the last effort changes them, for a lower cost. */
+void testLastEffort()
+{
+  const Fixture fixture;
+  std::vector<Point3> positions = fixture.result.placement.positions;
+  const Point3 corners[] = { { 0.2, 0.5, 0.0 }, { 0.5, 0.45, 0.0 }, { 0.8, 0.5, 0.0 },
+    { 0.5, 0.55, 0.0 } };
+  std::copy(std::begin(corners), std::end(corners), positions.begin());
+  const std::vector<Triple> slender{ { 0, 3, 2 }, { 0, 2, 1 } };
+  const std::vector<Point3> places = positions;
+  for (const Effort effort : { Effort::OwnStars, Effort::Neighbours, Effort::KeptAnyway })
+  {
+    for (const double gain : { 1e-6, 1.0 })
+    {
+      std::vector<Triple> triangles = slender;
+      RepairedMesh mesh(fixture.problem, fixture.near, places, triangles, positions);
+      FlipRepair repair;
+      const bool changes = effort == Effort::KeptAnyway && gain < 1.0;
+      const RepairContext context{ fixture.problem, places, RunControl(), true, gain };
+      CHECK(refillAround(context, 0, effort, mesh, repair) == changes);
+      CHECK_EQUAL(triangles != slender, changes);
+      CHECK_EQUAL(repair.flippedEdges, Offset(changes ? 1 : 0));
+      CHECK_EQUAL(fixture.flipped(triangles, positions).size(), std::size_t(2));
+    }
+  }
+}
 }
 
 int TestCavityRepair(int, char*[])
@@ -215,5 +245,6 @@ int TestCavityRepair(int, char*[])
   testCarriedAway();
   testPolygons();
   testKept();
+  testLastEffort();
   return test::result();
 }

@@ -3,6 +3,7 @@
 #include "Placement/CavityFilling.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -63,18 +64,34 @@ public:
   {
   }
 
-  /** The best filling of the smallest cavities around a triangle that have one. */
-  Filling around(Index triangle)
+  /**
+   * The best filling of the smallest cavities around a triangle where fewer are flipped; failing
+   * that, of those where the cost falls by so much.
+   */
+  Filling around(Index triangle, double leastGain)
   {
     const Triple& corners = m_mesh.triangles()[triangle];
     std::vector<Cavity> cavities{ { { triangle }, { corners.begin(), corners.end() } } };
     Filling best;
+    Filling other;
     while (best.turnedBack == 0 && !cavities.empty() && !this->isOver())
     {
       cavities = this->larger(cavities);
-      best = this->bestOf(cavities);
+      const bool isOpen = other.gain < leastGain;
+      for (const Cavity& cavity : cavities)
+      {
+        Filling filling = this->fill(cavity);
+        if (filling.turnedBack > 0 && filling.gain > best.gain)
+        {
+          best = std::move(filling);
+        }
+        else if (isOpen && filling.turnedBack == 0 && filling.gain > other.gain)
+        {
+          other = std::move(filling);
+        }
+      }
     }
-    return best;
+    return best.turnedBack > 0 ? best : other.gain < leastGain ? Filling() : other;
   }
 
 private:
@@ -83,21 +100,14 @@ private:
     return m_seen.size() >= mostCavities || m_steps >= mostSteps || m_control.cancelled();
   }
 
-  Filling bestOf(const std::vector<Cavity>& cavities)
+  Filling fill(const Cavity& cavity)
   {
-    Filling best;
-    for (const Cavity& cavity : cavities)
+    if (m_steps >= mostSteps || m_control.cancelled())
     {
-      if (m_steps >= mostSteps || m_control.cancelled())
-      {
-        break;
-      }
-      m_steps += CavityFiller::stepsFor(cavity);
-      Filling filling = m_filler.fill(cavity);
-      const bool isBetter = filling.turnedBack > 0 && filling.gain > best.gain;
-      best = isBetter ? std::move(filling) : best;
+      return {};
     }
-    return best;
+    m_steps += CavityFiller::stepsFor(cavity);
+    return m_filler.fill(cavity);
   }
 
   /** With one triangle more. */
@@ -135,11 +145,13 @@ private:
 };
 }
 
-bool refillAround(
-  const RepairContext& context, Index triangle, RepairedMesh& mesh, FlipRepair& repair)
+bool refillAround(const RepairContext& context, Index triangle, Effort effort, RepairedMesh& mesh,
+  FlipRepair& repair)
 {
-  const Filling filling = CavitySearch(mesh, context.control).around(triangle);
-  if (filling.turnedBack == 0 || context.control.cancelled())
+  const double leastGain =
+    effort == Effort::KeptAnyway ? 0.5 * context.gain : std::numeric_limits<double>::infinity();
+  const Filling filling = CavitySearch(mesh, context.control).around(triangle, leastGain);
+  if (filling.fresh.empty() || context.control.cancelled())
   {
     return false;
   }

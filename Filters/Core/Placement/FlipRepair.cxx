@@ -50,7 +50,7 @@ void mendFlipped(const RepairContext& context, const NearbySurface& surface,
   }
   if (passes.mayRefill() && isFlipped())
   {
-    refillAround(context, triangle, mesh, repair);
+    refillAround(context, triangle, passes.effort(), mesh, repair);
   }
   if (passes.mayMendAround() && isFlipped())
   {
