@@ -13,7 +13,7 @@ namespace
 {
 constexpr double shapeWeight = 1e-3; // decides where normals do not
 
-/** Of equal triangles with equal signs; begins with the lowest corner. */
+/** The same triangle, from its lowest corner on. */
 Triple turned(Triple triangle)
 {
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
