@@ -109,13 +109,14 @@ Offset passesThatRefill(const std::vector<Pass>& passes)
 /** Cavities are filled once, and after passes in vain; in each pass if few are flipped. */
 void testRefilling()
 {
-  CHECK_EQUAL(passesThatRefill(passesOf(always(5), oneInEach, FlipSteps::Move)), 0);
-  CHECK_EQUAL(passesThatRefill(passesOf(always(fewFlipped + 1), oneInEach)), 1);
-  CHECK(passesThatRefill(passesOf(always(fewFlipped), oneInEach)) > 3);
-  CHECK(passesThatRefill(passesOf(always(fewFlipped + 1), onlyLate)) > 1);
-  for (const Pass& pass : passesOf(always(5), oneInEach))
+  const auto refilling = [](const Flipped& flipped, const Steps& steps)
+  { return passesThatRefill(passesOf(flipped, steps, FlipSteps::Refill)); };
+  CHECK_EQUAL(refilling(always(fewFlipped + 1), oneInEach), 1);
+  CHECK(refilling(always(fewFlipped), oneInEach) > 3);
+  CHECK(refilling(always(fewFlipped + 1), onlyLate) > 1);
+  for (const FlipSteps steps : { FlipSteps::Move, FlipSteps::MoveAndTurn })
   {
-    CHECK(!pass.mayRefill || pass.mayTurn);
+    CHECK_EQUAL(passesThatRefill(passesOf(always(5), oneInEach, steps)), 0);
   }
 }
 

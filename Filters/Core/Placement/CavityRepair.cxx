@@ -3,7 +3,6 @@
 #include "Placement/CavityFilling.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -64,34 +63,23 @@ public:
   {
   }
 
-  /**
-   * The best filling of the smallest cavities around a triangle where fewer are flipped; failing
-   * that, of those where the cost falls by so much.
-   */
-  Filling around(Index triangle, double leastGain)
+  /** The best filling of the smallest cavities around a triangle where fewer are flipped then. */
+  Filling around(Index triangle)
   {
     const Triple& corners = m_mesh.triangles()[triangle];
     std::vector<Cavity> cavities{ { { triangle }, { corners.begin(), corners.end() } } };
     Filling best;
-    Filling other;
     while (best.turnedBack == 0 && !cavities.empty() && !this->isOver())
     {
       cavities = this->larger(cavities);
-      const bool isOpen = other.gain < leastGain;
       for (const Cavity& cavity : cavities)
       {
         Filling filling = this->fill(cavity);
-        if (filling.turnedBack > 0 && filling.gain > best.gain)
-        {
-          best = std::move(filling);
-        }
-        else if (isOpen && filling.turnedBack == 0 && filling.gain > other.gain)
-        {
-          other = std::move(filling);
-        }
+        const bool isBetter = filling.turnedBack > 0 && filling.gain > best.gain;
+        best = isBetter ? std::move(filling) : best;
       }
     }
-    return best.turnedBack > 0 ? best : other.gain < leastGain ? Filling() : other;
+    return best;
   }
 
 private:
@@ -145,13 +133,18 @@ private:
 };
 }
 
-bool refillAround(const RepairContext& context, Index triangle, Effort effort, RepairedMesh& mesh,
-  FlipRepair& repair)
+bool refillAround(
+  const RepairContext& context, Index triangle, RepairedMesh& mesh, FlipRepair& repair)
 {
-  const double leastGain =
-    effort == Effort::KeptAnyway ? 0.5 * context.gain : std::numeric_limits<double>::infinity();
-  const Filling filling = CavitySearch(mesh, context.control).around(triangle, leastGain);
-  if (filling.fresh.empty() || context.control.cancelled())
+  const Triple& corners = mesh.triangles()[triangle];
+  const bool mayMove = std::any_of(corners.begin(), corners.end(),
+    [&](Index v) { return !context.problem.isFixed(static_cast<std::size_t>(v)); });
+  if (mayMove && mesh.cost(corners) < flippedCost)
+  {
+    return false;
+  }
+  const Filling filling = CavitySearch(mesh, context.control).around(triangle);
+  if (filling.turnedBack == 0 || context.control.cancelled())
   {
     return false;
   }

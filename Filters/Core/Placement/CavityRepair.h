@@ -17,15 +17,16 @@ namespace remesh
 /**
  * Takes the triangle out, and as few more around it as help, and fills the polygon that they leave
  * anew (CavityFilling.h), such that fewer triangles are flipped; of polygons with as many triangles
- * the one where the cost falls most. At the last effort, where none does that, one where as many
- * are flipped and the cost falls by half of what a step in this pass has to gain: something may
- * help then. Vertices, their places and the topology stay.
+ * the one where the cost falls most. Vertices, their places and the topology stay.
  *
- * @return whether any triangles have changed. Cost: some hundreds of polygons of a few triangles,
- *         or fewer that are larger, where the surface is narrow.
+ * Strays (StrayTriangles.h) with a corner that may move are left: their own facets agree with them,
+ * and there are many beside thin sheets, where the mesh would not be the dual any more.
+ *
+ * @return whether that helps. Cost: some hundreds of polygons of a few triangles, or fewer that are
+ *         larger, where the surface is narrow.
  */
-bool refillAround(const RepairContext& context, Index triangle, Effort effort, RepairedMesh& mesh,
-  FlipRepair& repair);
+bool refillAround(
+  const RepairContext& context, Index triangle, RepairedMesh& mesh, FlipRepair& repair);
 }
 
 #endif

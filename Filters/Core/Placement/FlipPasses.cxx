@@ -81,7 +81,8 @@ bool FlipPasses::mayMoveTogether() const
 bool FlipPasses::mayRefill() const
 {
   const bool isNew = m_pass == turningPass + 1 || m_isStuck;
-  return m_pass > turningPass && m_entered.flippedTriangles <= (isNew ? mostUntangled : fewFlipped);
+  return m_steps == FlipSteps::Refill && m_pass > turningPass &&
+    m_entered.flippedTriangles <= (isNew ? mostUntangled : fewFlipped);
 }
 
 bool FlipPasses::mayMendAround() const

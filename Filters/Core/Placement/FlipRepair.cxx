@@ -48,13 +48,13 @@ void mendFlipped(const RepairContext& context, const NearbySurface& surface,
     repair.movedVertices +=
       untangle(context.problem, surface, triangle, rings, context.control, mesh);
   }
-  if (passes.mayRefill() && isFlipped())
-  {
-    refillAround(context, triangle, passes.effort(), mesh, repair);
-  }
   if (passes.mayMendAround() && isFlipped())
   {
     mendAround(context, triangle, passes.effort(), mesh, repair);
+  }
+  if (passes.mayRefill() && isFlipped())
+  {
+    refillAround(context, triangle, mesh, repair);
   }
 }
 
@@ -78,8 +78,7 @@ Status repairFlips(const FlipTask& task, FlipSteps steps, FlipSearch& search,
   std::vector<Triple>& triangles, std::vector<Point3>& positions, FlipRepair& repair)
 {
   repair = FlipRepair{};
-  const std::vector<Triple> dual =
-    steps == FlipSteps::MoveAndTurn ? triangles : std::vector<Triple>();
+  const std::vector<Triple> dual = steps == FlipSteps::Move ? std::vector<Triple>() : triangles;
   RepairedMesh mesh(task.problem, task.surface, task.shapes, triangles, positions);
   FlipPasses passes(steps, static_cast<Offset>(triangles.size()));
   BestMesh best;

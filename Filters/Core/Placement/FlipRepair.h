@@ -35,8 +35,9 @@ constexpr Offset fewFlipped = 10;
 
 enum class FlipSteps
 {
-  Move,       ///< vertices
-  MoveAndTurn ///< vertices, and edges of triangles
+  Move,        ///< vertices
+  MoveAndTurn, ///< vertices, and edges of triangles
+  Refill       ///< these, and cavities (CavityRepair.h)
 };
 
 /** What flipped triangles are told and mended by. All must outlive it. */
@@ -57,11 +58,11 @@ struct FlipTask
  * 3. Moves the vertices around what is left over together (Untangling.h), unless it is very much;
  *    likewise in each pass of step 5.
  * 4. Turns edges of what is left then (not those along features), if the topology stays.
- * 5. What is left after that gets more places to try; with some around it, other edges all at once
- *    (CavityRepair.h); and then what is around it may move and turn: steps need only lower what the
- *    triangles deviate from the surface's normals. Those around it are undone if the triangle stays
- *    flipped, until all else has been tried; and all of them since the number of flipped triangles
- *    last fell.
+ * 5. What is left after that gets more places to try, and what is around it may move and turn:
+ *    steps need only lower what the triangles deviate from the surface's normals. Those around it
+ *    are undone if the triangle stays flipped, until all else has been tried; and all of them since
+ *    the number of flipped triangles last fell. What that does not help gets other edges together
+ *    with some around it, if such steps are allowed (CavityRepair.h).
  * 6. Turns edges back where that flips nothing (TurnedEdges.h).
  *
  * Without turned edges, it ends after step 3; so it does where more than `mostFlipped` are left,

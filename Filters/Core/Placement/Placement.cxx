@@ -128,8 +128,7 @@ Status mendFromCentroids(const FlipTask& task, const std::vector<Point3>& fitted
     std::vector<Triple> turned = task.problem.triangles;
     FlipSearch search(task.surface);
     FlipRepair repair;
-    if (Status status =
-          repairFlips(task, FlipSteps::MoveAndTurn, search, turned, positions, repair);
+    if (Status status = repairFlips(task, FlipSteps::Refill, search, turned, positions, repair);
         !status.ok())
     {
       return status;
@@ -211,8 +210,7 @@ Status mendFlips(const PlacementProblem& problem, const NearbySurface& surface,
   const Offset moved = repair.movedVertices;
   const std::vector<Point3> fitted = placement.positions;
   const std::vector<Triple> dual = triangles; // `problem` may hold the very list that changes
-  status =
-    repairFlips(task, FlipSteps::MoveAndTurn, search, triangles, placement.positions, repair);
+  status = repairFlips(task, FlipSteps::Refill, search, triangles, placement.positions, repair);
   if (status.ok() && repair.flippedTriangles > 0 && repair.flippedTriangles <= fewFlipped)
   {
     const PlacementProblem unturned{ problem.mesh, problem.surface, problem.sites, problem.diagram,
@@ -259,8 +257,8 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   std::vector<Point3> positions = placement.positions;
   FlipRepair repair;
   const std::vector<Point3> onSurface = placesOnSurface(problem, locations, start);
-  status = repairFlips({ problem, surface, onSurface, start, control }, FlipSteps::MoveAndTurn,
-    search, turned, positions, repair);
+  status = repairFlips({ problem, surface, onSurface, start, control }, FlipSteps::Refill, search,
+    turned, positions, repair);
   if (!status.ok())
   {
     return status;
