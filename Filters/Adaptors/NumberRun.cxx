@@ -112,11 +112,15 @@ struct NumberRun
     return status;
   }
 
-  /** Triangles that face the surface the wrong way, as far as that can be told. */
+  /**
+   * Triangles that face the surface the wrong way, as far as that can be told, and those that have
+   * been refilled: with these, the mesh is far from the dual of its diagram.
+   */
   Offset wrongWay() const
   {
     const Placement& placement = this->outcome.result.placement;
-    return std::max(placement.repair.flippedTriangles, placement.strays);
+    return std::max(placement.repair.flippedTriangles, placement.strays) +
+      placement.repair.refilled;
   }
 
   /**

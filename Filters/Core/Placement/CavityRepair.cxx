@@ -150,6 +150,7 @@ bool refillAround(
   }
   mesh.replace(filling.old, filling.fresh);
   repair.flippedEdges += filling.newEdges;
+  repair.refilled += filling.turnedBack;
   return true;
 }
 }

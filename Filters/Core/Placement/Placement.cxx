@@ -274,6 +274,7 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
     placement.repair.flippedTriangles = after;
     placement.repair.movedVertices += repair.movedVertices;
     placement.repair.flippedEdges += repair.flippedEdges;
+    placement.repair.refilled += repair.refilled;
   }
   return status;
 }
