@@ -129,10 +129,9 @@ std::vector<Intrusion> failingEncroachments(const RemeshResult& result)
  * Places on curves there, if that does not take more vertices than asked for and those that may be
  * added by now, or if they all do.
  */
-Index repairEncroachments(
-  const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
+Index divideCurves(const Task& task, const std::vector<Intrusion>& found, const RunControl& control,
+  Repair& repair, RemeshResult& result)
 {
-  const std::vector<Intrusion> found = failingEncroachments(result);
   std::set<std::pair<Index, Index>> sections; // each is divided once at most
   for (const Intrusion& intrusion : found)
   {
@@ -205,7 +204,9 @@ Index repairTopology(
     return touched;
   }
   // There is nothing to add, or there are no sites to take away for it.
-  if (const Index onCurves = repairEncroachments(task, control, repair, result); onCurves > 0)
+  if (const Index onCurves =
+        divideCurves(task, failingEncroachments(result), control, repair, result);
+      onCurves > 0)
   {
     return onCurves;
   }
@@ -259,14 +260,18 @@ Offset countStrays(const Repair& repair, Offset strays)
   return 2 * strays <= first ? strays : first;
 }
 
-/** Sites for these triangles; others are taken away. */
-Index refineAt(
-  const std::vector<Index>& triangles, const Task& task, Repair& repair, RemeshResult& result)
+void enterFlipRound(Repair& repair)
 {
   ++repair.flipRounds;
   repair.rounds = 0;
   repair.idleRounds = 0;
   repair.adjustments = std::min(repair.adjustments, settledAdjustments);
+}
+
+/** Sites for these triangles; others are taken away. */
+Index refineAt(
+  const std::vector<Index>& triangles, const Task& task, Repair& repair, RemeshResult& result)
+{
   Certificate failures;
   for (const Index t : triangles)
   {
@@ -280,7 +285,26 @@ Index refineAt(
     : revise(std::move(refinement), failures, wanted, task, repair, result);
 }
 
-/** Sites for where triangles are flipped, and then for strays. */
+/** Places on curves that are too coarse for these triangles, or, where none are, sites. */
+Index refineFlipped(const std::vector<Index>& flipped, const Task& task, const RunControl& control,
+  Repair& repair, RemeshResult& result)
+{
+  Index onCurves = 0;
+  if (task.features)
+  {
+    std::vector<Triple> triangles;
+    for (const Index t : flipped)
+    {
+      triangles.push_back(result.dual.triangles[t]);
+    }
+    const std::vector<Intrusion> coarse = coarseSections(
+      triangles, result.components, result.seams, task.featured(), result.featureSites);
+    onCurves = divideCurves(task, coarse, control, repair, result);
+  }
+  return onCurves > 0 ? onCurves : refineAt(flipped, task, repair, result);
+}
+
+/** Places on curves and sites for where triangles are flipped, and then sites for strays. */
 Index repairFlips(const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
   RepairCounts& counts = repair.counts;
@@ -317,7 +341,8 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
   if (!flipsRest)
   {
     repair.flipsBefore.push_back(counts.flips);
-    return refineAt(flipped, task, repair, result);
+    enterFlipRound(repair);
+    return refineFlipped(flipped, task, control, repair, result);
   }
   const auto all = static_cast<Offset>(wrong.size());
   if (areFew(all) || all > mostStrays(size) || helpsNoMore(repair.straysBefore, all))
@@ -325,6 +350,7 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
     return 0;
   }
   repair.straysBefore.push_back(all);
+  enterFlipRound(repair);
   return refineAt(wrong, task, repair, result);
 }
 

@@ -180,6 +180,42 @@ void testOthersStay()
   CHECK_EQUAL(after.size(), ofOther);
 }
 
+/** Flipped triangles that lie between a section and the cell that reaches it, and others. */
+void testCoarseSections()
+{
+  Framed strip(strips(1, 0.05), 0.0);
+  strip.divide([&](const FeatureCurve& curve)
+    { return strip.mesh.points[curve.points[1]].y() == 0.0 ? 20 : 1; });
+  const EdgeTable edges = buildCutEdgeTable(strip.mesh, &strip.features, RunControl());
+  const Sites& sites = strip.featureSites.sites;
+  const test::Computed cells = test::computed(strip.surface, sites);
+  Components components;
+  CHECK(findComponents(strip.mesh, strip.surface, sites, edges, cells.diagram, cells.owners,
+    RunControl(), components, &strip.featureSites)
+          .ok());
+  const Seams seams =
+    sewAlongFeatures(cells.diagram, components, strip.view(), strip.featureSites, sites);
+  const auto coarse = [&](const std::vector<Triple>& flipped)
+  { return coarseSections(flipped, components, seams, strip.view(), strip.featureSites); };
+  CHECK(seams.encroachments.size() >= 15);
+  std::vector<Triple> all;
+  for (const Intrusion& by : seams.encroachments)
+  {
+    const std::vector<Index>& points = strip.featureSites.curvePoints[by.curve];
+    const Index from = seams.components[points[by.section]];
+    const Index to = seams.components[points[by.section + 1]];
+    const std::vector<Intrusion> found = coarse({ { to, by.component, from } });
+    CHECK_EQUAL(found.size(), std::size_t(1)); // no chord of a straight side passes anything
+    CHECK_EQUAL(found.front().component, by.component);
+    CHECK_EQUAL(found.front().section, by.section);
+    all.push_back({ by.component, from, to });
+  }
+  CHECK_EQUAL(coarse(all).size(), seams.encroachments.size());
+  CHECK(coarse({}).empty());
+  const Index first = seams.encroachments.front().component;
+  CHECK(coarse({ { first, first + 1, first + 2 } }).empty());
+}
+
 /** A rough plate of narrow bars around rectangular windows. */
 SurfaceMesh lattice()
 {
@@ -236,6 +272,7 @@ int TestFeatureRepair(int, char*[])
 {
   testStrip();
   testOthersStay();
+  testCoarseSections();
   testLattice();
   return test::result();
 }

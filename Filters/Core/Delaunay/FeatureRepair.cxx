@@ -2,9 +2,12 @@
 
 #include "Features/CurveLevel.h"
 #include "Features/CurveSeparation.h"
+#include "Features/PassedPoints.h"
+#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -129,6 +132,50 @@ Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>
   const double spacing = std::sqrt(featured.surface.siteMeasure / sites.count());
   return count +
     separateCurves(featured, std::move(watched), mostPoints, spacing, control, featureSites);
+}
+
+namespace
+{
+Triple inOrder(Triple triangle)
+{
+  std::sort(triangle.begin(), triangle.end());
+  return triangle;
+}
+}
+
+std::vector<Intrusion> coarseSections(const std::vector<Triple>& flipped,
+  const Components& components, const Seams& seams, const FeaturedSurface& featured,
+  const FeatureSites& featureSites)
+{
+  std::vector<Index> corners;
+  std::set<Triple> triangles;
+  for (const Triple& triangle : flipped)
+  {
+    triangles.insert(inOrder(triangle));
+    for (const Index component : triangle)
+    {
+      const Index site = components.sites[component];
+      if (site < featureSites.sites.count())
+      {
+        corners.push_back(featureSites.pointOfSite[site]);
+      }
+    }
+  }
+  sortUnique(corners);
+  std::vector<Intrusion> found;
+  for (const PassedPoint& passed : findPassedPoints(featured, featureSites, corners))
+  {
+    found.push_back({ passed.curve, passed.section, featureSites.firstCopy[passed.point],
+      seams.components[passed.point], passed.foot, 0.0 });
+  }
+  std::copy_if(seams.encroachments.begin(), seams.encroachments.end(), std::back_inserter(found),
+    [&](const Intrusion& by)
+    {
+      const Index* ends = featureSites.curvePoints[by.curve].data() + by.section;
+      return triangles.count(
+               inOrder({ by.component, seams.components[ends[0]], seams.components[ends[1]] })) > 0;
+    });
+  return found;
 }
 
 void replaceFixed(const FeatureSites& featureSites, Sites& sites)

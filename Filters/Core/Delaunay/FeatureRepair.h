@@ -30,6 +30,15 @@ Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>
   const Sites& sites, bool areApart, Offset mostPoints, const RunControl& control,
   FeatureSites& featureSites, std::vector<Index>& joining);
 
+/**
+ * Where flipped triangles show that a curve is too coarse: it passes a corner of theirs
+ * (PassedPoints.h), or one joins a section of it with a cell, of another site on a feature, that
+ * reaches it.
+ */
+std::vector<Intrusion> coarseSections(const std::vector<Triple>& flipped,
+  const Components& components, const Seams& seams, const FeaturedSurface& featured,
+  const FeatureSites& featureSites);
+
 /** Puts these in the place of the fixed sites. */
 void replaceFixed(const FeatureSites& featureSites, Sites& sites);
 }

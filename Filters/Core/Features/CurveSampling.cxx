@@ -247,15 +247,6 @@ std::vector<double> measureCurve(const FeaturedSurface& featured, Index curve)
   return lengths;
 }
 
-namespace
-{
-/** A station at a point is one of the segment that begins there. */
-Station stationIn(Index segment, double t, Index lastSegment)
-{
-  return t == 1.0 && segment < lastSegment ? Station{ segment + 1, 0.0 } : Station{ segment, t };
-}
-}
-
 Station stationAt(const std::vector<double>& lengths, double length)
 {
   const auto after = std::upper_bound(lengths.begin(), lengths.end(), length);
@@ -263,7 +254,7 @@ Station stationAt(const std::vector<double>& lengths, double length)
   const Index segment = std::clamp(static_cast<Index>(after - lengths.begin()) - 1, Index(0), last);
   const double extent = lengths[segment + 1] - lengths[segment];
   const double t = extent > 0.0 ? std::clamp((length - lengths[segment]) / extent, 0.0, 1.0) : 0.0;
-  return stationIn(segment, t, last);
+  return stationIn(segment, t, last + 1);
 }
 
 double lengthAt(const std::vector<double>& lengths, const Station& station)
@@ -312,7 +303,7 @@ Station stationAtRadius(
     const double p = a.dot(along) / along.squaredNorm();
     const double q = (a.squaredNorm() - radius * radius) / along.squaredNorm();
     const double u = std::clamp(-p + std::sqrt(std::max(0.0, p * p - q)), 0.0, 1.0);
-    return stationIn(segment, fromFront ? u : 1.0 - u, count - 1);
+    return stationIn(segment, fromFront ? u : 1.0 - u, count);
   }
   return fromFront ? Station{ count - 1, 1.0 } : Station{ 0, 0.0 };
 }

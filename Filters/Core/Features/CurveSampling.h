@@ -21,6 +21,13 @@ struct Station
   }
 };
 
+/** On one of m segments; what is at a point is on the segment that begins there. */
+inline Station stationIn(Index segment, double t, Index numberOfSegments)
+{
+  return t == 1.0 && segment + 1 < numberOfSegments ? Station{ segment + 1, 0.0 }
+                                                    : Station{ segment, t };
+}
+
 /** For each curve, places in ascending order; both ends are among them, also of closed curves. */
 using Stations = std::vector<std::vector<Station>>;
 

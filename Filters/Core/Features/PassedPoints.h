@@ -1,0 +1,33 @@
+/**
+ * @file PassedPoints.h
+ * @brief Finds points on features that the chords of curves pass on their wrong side.
+ *
+ * A chord of a curve that bends towards another feature may reach beyond the other one's points.
+ * Then triangles of these points and the chord are flipped, wherever else there are points.
+ */
+#ifndef remesh_PassedPoints_h
+#define remesh_PassedPoints_h
+
+#include "Features/FeatureSites.h"
+
+namespace remesh
+{
+/** A feature point between a section of a curve and its chord. */
+struct PassedPoint
+{
+  Index point;
+  Index curve;
+  Index section; ///< of the curve, after this station
+  Station foot;  ///< of the curve, the nearest one in R^3
+};
+
+/**
+ * @param points feature points; those to look for.
+ * @return by curve, section, point.
+ * Cost: O(V) for V points on curves, and a distance for each section and point.
+ */
+std::vector<PassedPoint> findPassedPoints(const FeaturedSurface& featured,
+  const FeatureSites& featureSites, const std::vector<Index>& points);
+}
+
+#endif
