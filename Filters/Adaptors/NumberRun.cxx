@@ -112,27 +112,25 @@ struct NumberRun
     return status;
   }
 
-  /**
-   * Triangles that face the surface the wrong way, as far as that can be told, and those that have
-   * been refilled: with these, the mesh is far from the dual of its diagram.
-   */
+  /** Triangles that face the surface the wrong way, as far as that can be told. */
   Offset wrongWay() const
   {
     const Placement& placement = this->outcome.result.placement;
-    return std::max(placement.repair.flippedTriangles, placement.strays) +
-      placement.repair.refilled;
+    return std::max(placement.repair.flippedTriangles, placement.strays);
   }
 
   /**
    * What is lost, points too many or too few in halves of those asked for, places that are lost,
-   * such points one by one, and triangles that face the wrong way: the lower, the better.
+   * such points one by one, triangles that face the wrong way, and those that only refilling has
+   * turned back, where the mesh is not the dual: the lower, the better.
    */
-  std::tuple<bool, Offset, Offset, Offset, Offset> faults() const
+  std::tuple<bool, Offset, Offset, Offset, Offset, Offset> faults() const
   {
     const RemeshResult& result = this->outcome.result;
     const Offset off = std::abs(result.components.count() - result.wantedVertices);
     return { !result.topology.preserved(), 2 * off / std::max(result.wantedVertices, Offset(1)),
-      result.topology.certificate.violations(), off, this->wrongWay() };
+      result.topology.certificate.violations(), off, this->wrongWay(),
+      result.placement.repair.refilled };
   }
 
   /** Whether the topology is lost, or takes more points than there may be. */
@@ -144,7 +142,11 @@ struct NumberRun
   }
 
   /** Whether the mesh has faults that smoother normals may mend. */
-  bool hasFaults() const { return this->losesTopologyOrNumber() || this->wrongWay() > 0; }
+  bool hasFaults() const
+  {
+    return this->losesTopologyOrNumber() || this->wrongWay() > 0 ||
+      this->outcome.result.placement.repair.refilled > 0;
+  }
 
   /** Makes another mesh, too, by `make()`, and keeps it if it is better than the last one. */
   template <class Make>

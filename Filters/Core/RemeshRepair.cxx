@@ -27,8 +27,8 @@ constexpr int mostRefinements = 10;  // rounds in which free sites may join curv
 constexpr int settledRefinements = 4;
 constexpr int mostAdjustments = 10;   // of the number of vertices
 constexpr int settledAdjustments = 4; // later ones change nothing but what they must
-constexpr int mostFlipRounds = 8;     // in which sites go to flipped triangles
-constexpr double fewFlips = 5e-5;     // of the triangles: left to turned edges
+constexpr int mostFlipRounds = 8; // in which sites, or places on curves, go to flipped triangles
+constexpr double fewFlips = 5e-5; // of the triangles: left to turned edges
 constexpr int mostRepairsOfFlips = 4; // rounds to repair the topology after
 
 /** Sites where the certificate fails, or all that reach curves if more do than may; ascending. */
@@ -125,25 +125,32 @@ std::vector<Intrusion> failingEncroachments(const RemeshResult& result)
   return found;
 }
 
+/** The sections of curves that these reach. */
+Offset countSections(const std::vector<Intrusion>& intrusions)
+{
+  std::set<std::pair<Index, Index>> sections;
+  for (const Intrusion& intrusion : intrusions)
+  {
+    sections.emplace(intrusion.curve, intrusion.section);
+  }
+  return static_cast<Offset>(sections.size());
+}
+
 /**
  * Places on curves there, if that does not take more vertices than asked for and those that may be
  * added by now, or if they all do.
  */
-Index divideCurves(const Task& task, const std::vector<Intrusion>& found, const RunControl& control,
-  Repair& repair, RemeshResult& result)
+Index repairEncroachments(
+  const Task& task, const RunControl& control, Repair& repair, RemeshResult& result)
 {
-  std::set<std::pair<Index, Index>> sections; // each is divided once at most
-  for (const Intrusion& intrusion : found)
-  {
-    sections.emplace(intrusion.curve, intrusion.section);
-  }
+  const std::vector<Intrusion> found = failingEncroachments(result);
   const Offset least = leastVertices(result);
   const Offset asked = task.options.numberOfSites;
   const Offset extra = repair.stage == RepairStage::BeyondNumber
     ? task.options.maximumExtraPoints - repair.counts.extraPoints
     : 0;
   const bool fits = !task.options.exactNumber || least > asked ||
-    least + static_cast<Offset>(sections.size()) <= asked + extra;
+    least + countSections(found) <= asked + extra; // each is divided once at most
   return fits && !found.empty() ? repairCurves(task, found, control, repair, result) : 0;
 }
 
@@ -204,9 +211,7 @@ Index repairTopology(
     return touched;
   }
   // There is nothing to add, or there are no sites to take away for it.
-  if (const Index onCurves =
-        divideCurves(task, failingEncroachments(result), control, repair, result);
-      onCurves > 0)
+  if (const Index onCurves = repairEncroachments(task, control, repair, result); onCurves > 0)
   {
     return onCurves;
   }
@@ -285,23 +290,28 @@ Index refineAt(
     : revise(std::move(refinement), failures, wanted, task, repair, result);
 }
 
-/** Places on curves that are too coarse for these triangles, or, where none are, sites. */
-Index refineFlipped(const std::vector<Index>& flipped, const Task& task, const RunControl& control,
-  Repair& repair, RemeshResult& result)
+/**
+ * Places on curves that are too coarse for flipped triangles, if that takes neither more vertices
+ * than there may be, which would be worse, nor free sites that stay.
+ */
+Index divideAtFlipped(const std::vector<Index>& flipped, const Task& task,
+  const RunControl& control, Repair& repair, RemeshResult& result)
 {
-  Index onCurves = 0;
-  if (task.features)
+  if (!task.features)
   {
-    std::vector<Triple> triangles;
-    for (const Index t : flipped)
-    {
-      triangles.push_back(result.dual.triangles[t]);
-    }
-    const std::vector<Intrusion> coarse = coarseSections(
-      triangles, result.components, result.seams, task.featured(), result.featureSites);
-    onCurves = divideCurves(task, coarse, control, repair, result);
+    return 0;
   }
-  return onCurves > 0 ? onCurves : refineAt(flipped, task, repair, result);
+  std::vector<Triple> triangles;
+  for (const Index t : flipped)
+  {
+    triangles.push_back(result.dual.triangles[t]);
+  }
+  const std::vector<Intrusion> coarse = coarseSections(
+    triangles, result.components, result.seams, task.featured(), result.featureSites, control);
+  const Offset taken = leastVertices(result) + repair.leastFree + countSections(coarse);
+  const bool fits =
+    !task.options.exactNumber || taken <= task.options.numberOfSites + repair.counts.extraPoints;
+  return fits && !control.cancelled() ? repairCurves(task, coarse, control, repair, result) : 0;
 }
 
 /** Places on curves and sites for where triangles are flipped, and then sites for strays. */
@@ -340,9 +350,14 @@ Index repairFlips(const Task& task, const RunControl& control, Repair& repair, R
       flippedTriangles(task, FlipSteps::MoveAndTurn, control, result).left.empty());
   if (!flipsRest)
   {
-    repair.flipsBefore.push_back(counts.flips);
     enterFlipRound(repair);
-    return refineFlipped(flipped, task, control, repair, result);
+    if (const Index onCurves = divideAtFlipped(flipped, task, control, repair, result);
+        onCurves > 0)
+    {
+      return onCurves;
+    }
+    repair.flipsBefore.push_back(counts.flips);
+    return refineAt(flipped, task, repair, result);
   }
   const auto all = static_cast<Offset>(wrong.size());
   if (areFew(all) || all > mostStrays(size) || helpsNoMore(repair.straysBefore, all))

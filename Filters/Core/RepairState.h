@@ -70,7 +70,7 @@ struct Repair
   /** In this stage, of the cells that failed when it last came nearer. */
   double failingMass = std::numeric_limits<double>::infinity();
   int flipRounds = 0;               ///< for flipped triangles and for strays
-  std::vector<Offset> flipsBefore;  ///< of these rounds, flipped triangles
+  std::vector<Offset> flipsBefore;  ///< of those with sites for them, flipped triangles
   std::vector<Offset> straysBefore; ///< likewise
   SitePruning pruning;              ///< of added sites, once the topology is right
   std::size_t intrusions = 0;       ///< of curves, before its trial

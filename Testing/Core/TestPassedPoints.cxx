@@ -166,15 +166,35 @@ void testDivided()
   CHECK(rounds > 1 && rounds < 8);
 }
 
-/** What is as far from the chord's line, but not in the plane of the curve, is not passed. */
-void testBeside()
+/** Whether a point of another side is passed, were it there. */
+bool isPassedAt(const Point3& place)
 {
   HangingStrip strip;
-  for (FeaturePoint& point : strip.sites.points)
+  const Index point = strip.sites.curvePoints[(strip.lower + 1) % 4][1]; // of another side
+  strip.sites.points[point].place = place;
+  return !findPassedPoints(strip.view(), strip.sites, { point }).empty();
+}
+
+/** Between the middle of the arc and of its chord, beyond either, and beside their plane. */
+void testSides()
+{
+  const Point3 arc = onArc(0.5);
+  for (const double share : { 0.05, 0.5, 0.95 })
   {
-    point.place.z() += 2.0 * sag;
+    CHECK(isPassedAt((1.0 - share) * arc + share * Point3(0.5, 0.0, 0.0)));
   }
-  CHECK(findPassedPoints(strip.view(), strip.sites, allOf(strip.sites)).empty());
+  CHECK(!isPassedAt(arc + Point3(0.0, -0.1 * sag, 0.0)));
+  CHECK(!isPassedAt(arc + Point3(0.0, 1.1 * sag, 0.0)));
+  CHECK(!isPassedAt(arc + Point3(0.0, 0.0, 0.5 * sag)));       // below the arc, on a thin plate
+  CHECK(!isPassedAt(arc + Point3(0.0, 0.5 * sag, 0.6 * sag))); // out of the ball over both
+  CHECK(!isPassedAt(arc + Point3(0.5, 0.0, 0.0)));
+}
+
+void testCancelled()
+{
+  const HangingStrip strip;
+  const RunControl cancelled({}, []() { return true; });
+  CHECK(findPassedPoints(strip.view(), strip.sites, allOf(strip.sites), cancelled).empty());
 }
 }
 
@@ -182,6 +202,7 @@ int TestPassedPoints(int, char*[])
 {
   testHangingStrip();
   testDivided();
-  testBeside();
+  testSides();
+  testCancelled();
   return test::result();
 }

@@ -10,6 +10,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -132,6 +133,30 @@ inline double volumeOf(vtkPolyData* mesh)
       volume += pointOf(mesh, ids[0]).dot(pointOf(mesh, ids[1]).cross(pointOf(mesh, ids[2]))) / 6.0;
     });
   return volume;
+}
+
+/** Length of the mesh's edges of so many triangles with both ends and the middle on a line. */
+inline double lengthAlong(
+  vtkPolyData* mesh, int triangles, const std::function<bool(const Point3&)>& onLine, int& edges)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> valences;
+  for (const auto& [edge, count] : directedEdgesOf(mesh))
+  {
+    valences[std::minmax(edge.first, edge.second)] += count;
+  }
+  double length = 0.0;
+  edges = 0;
+  for (const auto& [edge, valence] : valences)
+  {
+    const Point3 a = pointOf(mesh, edge.first);
+    const Point3 b = pointOf(mesh, edge.second);
+    if (valence == triangles && onLine(a) && onLine(b) && onLine(0.5 * (a + b)))
+    {
+      length += (b - a).norm();
+      ++edges;
+    }
+  }
+  return length;
 }
 }
 

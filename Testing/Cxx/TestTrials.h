@@ -6,6 +6,7 @@
 #define TestTrials_h
 
 #include "TestHelpers.h"
+#include "TestIntersections.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkSurfaceMeshComparison.h"
@@ -33,10 +34,10 @@ struct Trial
 /**
  * What every mesh must keep: topology, the number of points, and the side it faces.
  *
- * @param mayWarn of features that need more than half of the points.
+ * @param needsMore its features need more than half of the points; a warning tells it.
  */
 inline Trial keepingMesh(
-  vtkPolyData* surface, vtkIdType points, double anisotropy, bool mayWarn = false)
+  vtkPolyData* surface, vtkIdType points, double anisotropy, bool needsMore = false)
 {
   auto remesher = vtkSmartPointer<vtkAnisotropicRemesher>::New();
   remesher->SetInputData(surface);
@@ -44,7 +45,12 @@ inline Trial keepingMesh(
   remesher->SetAnisotropy(anisotropy);
   Messages messages(remesher);
   remesher->Update();
-  CHECK(messages.errors().empty() && (mayWarn || messages.warnings().empty()));
+  CHECK(messages.errors().empty());
+  CHECK_EQUAL(messages.warnings().size(), std::size_t(needsMore ? 1 : 0));
+  for (const std::string& warning : messages.warnings())
+  {
+    CHECK(warning.find("Corners and curves of the surface need") != std::string::npos);
+  }
   Trial trial{ remesher->GetOutput(), vtkSmartPointer<vtkSurfaceMeshComparison>::New() };
   trial.comparison->SetInputData(trial.mesh);
   trial.comparison->SetReferenceData(surface);
@@ -57,6 +63,14 @@ inline Trial keepingMesh(
   {
     CHECK_EQUAL(trial.value(kept), trial.value(std::string("Reference") + kept));
   }
+  return trial;
+}
+
+/** One that does not go through itself, either. */
+inline Trial checkedMesh(vtkPolyData* surface, vtkIdType points, double anisotropy)
+{
+  const Trial trial = keepingMesh(surface, points, anisotropy);
+  CHECK_EQUAL(numberOfSelfIntersections(trial.mesh), 0);
   return trial;
 }
 }

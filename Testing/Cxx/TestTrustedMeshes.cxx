@@ -1,8 +1,8 @@
 // Meshes of surfaces with creases, borders and junctions: topology kept, nothing flipped, and
 // features where they were.
 
-#include "TestIntersections.h"
 #include "TestTrials.h"
+#include "TestWalls.h"
 
 #include <cmath>
 #include <functional>
@@ -12,137 +12,6 @@ using namespace remesh::test;
 
 namespace
 {
-/** One that does not go through itself, either. */
-Trial checkedMesh(vtkPolyData* surface, vtkIdType points, double anisotropy)
-{
-  const Trial trial = keepingMesh(surface, points, anisotropy);
-  CHECK_EQUAL(numberOfSelfIntersections(trial.mesh), 0);
-  return trial;
-}
-
-/** Length of the mesh's edges of so many triangles with both ends and the middle on a line. */
-double lengthAlong(
-  vtkPolyData* mesh, int triangles, const std::function<bool(const Point3&)>& onLine, int& edges)
-{
-  std::map<std::pair<vtkIdType, vtkIdType>, int> valences;
-  for (const auto& [edge, count] : directedEdgesOf(mesh))
-  {
-    valences[std::minmax(edge.first, edge.second)] += count;
-  }
-  double length = 0.0;
-  edges = 0;
-  for (const auto& [edge, valence] : valences)
-  {
-    const Point3 a = pointOf(mesh, edge.first);
-    const Point3 b = pointOf(mesh, edge.second);
-    if (valence == triangles && onLine(a) && onLine(b) && onLine(0.5 * (a + b)))
-    {
-      length += (b - a).norm();
-      ++edges;
-    }
-  }
-  return length;
-}
-
-/** A wall around a profile, from height 0 to `height`, in so many layers. */
-void addWall(
-  const std::vector<Point3>& profile, double height, int layers, bool outward, TriangleSoup& soup)
-{
-  const auto first = static_cast<Offset>(soup.points.size());
-  const auto n = static_cast<Offset>(profile.size());
-  for (int layer = 0; layer <= layers; ++layer)
-  {
-    for (const Point3& p : profile)
-    {
-      soup.points.emplace_back(p[0], p[1], height * (static_cast<double>(layer) / layers));
-    }
-  }
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    for (Offset k = 0; k < n; ++k)
-    {
-      const Offset a = first + layer * n + k;
-      const Offset b = first + layer * n + (k + 1) % n;
-      soup.triangles.push_back(
-        outward ? std::array<Offset, 3>{ a, b, b + n } : std::array<Offset, 3>{ a, b + n, b });
-      soup.triangles.push_back(outward ? std::array<Offset, 3>{ a, b + n, a + n }
-                                       : std::array<Offset, 3>{ a, a + n, b + n });
-    }
-  }
-}
-
-/** The flat ring between two profiles of the same number of points. */
-void addRing(const std::vector<Point3>& inner, const std::vector<Point3>& outer, double z, bool up,
-  TriangleSoup& soup)
-{
-  const auto first = static_cast<Offset>(soup.points.size());
-  const auto n = static_cast<Offset>(inner.size());
-  for (const auto* profile : { &inner, &outer })
-  {
-    for (const Point3& p : *profile)
-    {
-      soup.points.emplace_back(p[0], p[1], z);
-    }
-  }
-  for (Offset k = 0; k < n; ++k)
-  {
-    const Offset a = first + k;
-    const Offset b = first + (k + 1) % n;
-    soup.triangles.push_back(
-      up ? std::array<Offset, 3>{ a, a + n, b + n } : std::array<Offset, 3>{ a, b + n, a + n });
-    soup.triangles.push_back(
-      up ? std::array<Offset, 3>{ a, b + n, b } : std::array<Offset, 3>{ a, b, b + n });
-  }
-}
-
-/** Points around the axis at a radius for each. */
-std::vector<Point3> profileOf(int points, const std::function<double(int)>& radius)
-{
-  std::vector<Point3> profile;
-  for (int k = 0; k < points; ++k)
-  {
-    const double angle = 2.0 * pi * k / points;
-    profile.emplace_back(radius(k) * std::cos(angle), radius(k) * std::sin(angle), 0.0);
-  }
-  return profile;
-}
-
-/** A gear with a bore: sharp teeth, a round crease on each side, genus 1. */
-void testGear()
-{
-  constexpr int teeth = 12;
-  const auto outer = profileOf(6 * teeth, [](int k) { return k % 6 < 3 ? 1.0 : 0.8; });
-  const auto bore = profileOf(6 * teeth, [](int) { return 0.3; });
-  TriangleSoup soup;
-  addWall(outer, 0.3, 3, true, soup);
-  addWall(bore, 0.3, 3, false, soup);
-  addRing(bore, outer, 0.0, false, soup);
-  addRing(bore, outer, 0.3, true, soup);
-  const auto surface = polyDataOf(soup);
-  const double volume = volumeOf(surface);
-  double outline = 0.0;
-  for (std::size_t k = 0; k < outer.size(); ++k)
-  {
-    outline += (outer[(k + 1) % outer.size()] - outer[k]).norm();
-  }
-  const auto onOutline = [](double z)
-  {
-    return [z](const Point3& p)
-    { return std::abs(p[2] - z) < 1e-9 && std::hypot(p[0], p[1]) > 0.75; };
-  };
-  for (const double anisotropy : { 0.0, 0.04, 0.2 })
-  {
-    const Trial trial = checkedMesh(surface, 1000, anisotropy);
-    CHECK(isClosedManifold(trial.mesh));
-    CHECK_NEAR(volumeOf(trial.mesh), volume, 2e-3 * volume);
-    // Other edges lie in the same planes, but the mean distance sees what is cut off.
-    int edges = 0;
-    CHECK(lengthAlong(trial.mesh, 2, onOutline(0.0), edges) > outline * (1.0 - 1e-9));
-    CHECK(lengthAlong(trial.mesh, 2, onOutline(0.3), edges) > outline * (1.0 - 1e-9));
-    CHECK(trial.value("RelativeRMSDistance") < 1e-3);
-  }
-}
-
 /** Three fine sheets on one line: it is kept, and made coarser with the rest. */
 void testJunction()
 {
@@ -376,77 +245,6 @@ void testNarrowHoles()
   }
 }
 
-/** A ring with bolt holes of this radius, close to its rim; of star-shaped sectors around them. */
-vtkSmartPointer<vtkPolyData> flange(int holes, double radius)
-{
-  constexpr int steps = 12; // on each side of a sector
-  constexpr double inner = 0.5;
-  constexpr double gap = 0.005;
-  constexpr double height = 0.3;
-  const int around = holes * steps;
-  const auto at = [&](int turn, int out)
-  {
-    const double angle = 2.0 * pi * (turn % around) / around;
-    const double r = inner + (1.0 - inner) * out / steps;
-    return Point3(r * std::cos(angle), r * std::sin(angle), 0.0);
-  };
-  TriangleSoup soup;
-  for (int sector = 0; sector < holes; ++sector)
-  {
-    const int begin = sector * steps;
-    const int end = begin + steps;
-    std::vector<Point3> outline;
-    for (int k = 0; k < steps; ++k)
-    {
-      outline.push_back(at(begin + k, steps));
-    }
-    for (int k = 0; k < steps; ++k)
-    {
-      outline.push_back(at(end, steps - k));
-    }
-    for (int k = 0; k < steps; ++k)
-    {
-      outline.push_back(at(end - k, 0));
-    }
-    for (int k = 0; k < steps; ++k)
-    {
-      outline.push_back(at(begin, k));
-    }
-    const double angle = 2.0 * pi * (sector + 0.5) / holes;
-    const Point3 center = (1.0 - gap - radius) * Point3(std::cos(angle), std::sin(angle), 0.0);
-    std::vector<Point3> hole;
-    for (const Point3& p : outline)
-    {
-      hole.push_back(center + radius * (p - center).normalized());
-    }
-    addRing(hole, outline, 0.0, false, soup);
-    addRing(hole, outline, height, true, soup);
-    addWall(hole, height, 1, false, soup);
-  }
-  std::vector<Point3> rim;
-  std::vector<Point3> bore;
-  for (int k = 0; k < around; ++k)
-  {
-    rim.push_back(at(k, steps));
-    bore.push_back(at(k, 0));
-  }
-  addWall(rim, height, 1, true, soup);
-  addWall(bore, height, 1, false, soup);
-  return polyDataOf(soup);
-}
-
-/** Few points: chords of the rim would cross the holes, were it not divided there. */
-void testBoltHoles()
-{
-  for (const double radius : { 0.1, 0.14 })
-  {
-    const Trial trial = keepingMesh(flange(8, radius), 300, 0.1, true);
-    CHECK(trial.value("RelativeRMSDistance") < 1.4e-3);
-    CHECK_EQUAL(
-      trial.mesh->GetFieldData()->GetArray("NumberOfFlippedTriangles")->GetComponent(0, 0), 0.0);
-  }
-}
-
 /** A wavy plate with square holes close to each other: 17 loops, concave corners, narrow bars. */
 void testHoles()
 {
@@ -493,7 +291,6 @@ void testVoxels()
 
 int TestTrustedMeshes(int, char*[])
 {
-  testGear();
   testJunction();
   testTube();
   testSaddle();
@@ -503,7 +300,6 @@ int TestTrustedMeshes(int, char*[])
   testThinTips();
   testNarrowHole();
   testNarrowHoles();
-  testBoltHoles();
   testHoles();
   testVoxels();
   return result();

@@ -145,7 +145,7 @@ Triple inOrder(Triple triangle)
 
 std::vector<Intrusion> coarseSections(const std::vector<Triple>& flipped,
   const Components& components, const Seams& seams, const FeaturedSurface& featured,
-  const FeatureSites& featureSites)
+  const FeatureSites& featureSites, const RunControl& control)
 {
   std::vector<Index> corners;
   std::set<Triple> triangles;
@@ -155,15 +155,17 @@ std::vector<Intrusion> coarseSections(const std::vector<Triple>& flipped,
     for (const Index component : triangle)
     {
       const Index site = components.sites[component];
-      if (site < featureSites.sites.count())
+      const bool isFeature = site < featureSites.sites.count();
+      const Index point = isFeature ? featureSites.pointOfSite[site] : noIndex;
+      if (isFeature && seams.components[point] == component) // not one of its cell's further parts
       {
-        corners.push_back(featureSites.pointOfSite[site]);
+        corners.push_back(point);
       }
     }
   }
   sortUnique(corners);
   std::vector<Intrusion> found;
-  for (const PassedPoint& passed : findPassedPoints(featured, featureSites, corners))
+  for (const PassedPoint& passed : findPassedPoints(featured, featureSites, corners, control))
   {
     found.push_back({ passed.curve, passed.section, featureSites.firstCopy[passed.point],
       seams.components[passed.point], passed.foot, 0.0 });

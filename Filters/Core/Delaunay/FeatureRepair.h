@@ -19,7 +19,7 @@ namespace remesh
  * Then the curves are kept apart again (see separateCurves), those with new places from each other
  * and from the rest, or all where they are not yet; no free site goes for these places.
  *
- * @param intrusions as the seams have them.
+ * @param intrusions as the seams have them, or coarse sections.
  * @param areApart the curves were before, as far as that is possible.
  * @param mostPoints vertices on features, to keep curves apart.
  * @param featureSites are brought up to date; `sites` are to follow (replaceFixed).
@@ -34,10 +34,13 @@ Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>
  * Where flipped triangles show that a curve is too coarse: it passes a corner of theirs
  * (PassedPoints.h), or one joins a section of it with a cell, of another site on a feature, that
  * reaches it.
+ *
+ * @return such cells; for a corner that is passed, its own, with its foot in R^3 and no distance.
+ * Of no use when cancelled.
  */
 std::vector<Intrusion> coarseSections(const std::vector<Triple>& flipped,
   const Components& components, const Seams& seams, const FeaturedSurface& featured,
-  const FeatureSites& featureSites);
+  const FeatureSites& featureSites, const RunControl& control = RunControl());
 
 /** Puts these in the place of the fixed sites. */
 void replaceFixed(const FeatureSites& featureSites, Sites& sites);

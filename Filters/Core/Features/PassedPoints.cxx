@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace remesh
 {
 namespace
 {
+constexpr double rounding = 1e-12; // of a section's length
+
 /** Of the way from one place to another, up to the nearest to a third one; [0, 1]. */
 double nearestShare(const Point3& place, const Point3& from, const Point3& to)
 {
@@ -43,17 +46,27 @@ public:
     m_length += (m_to - last).norm();
   }
 
+  /** Whether it has places beside its chord at all. */
+  bool bends() const { return m_length > (1.0 + rounding) * (m_to - m_from).norm(); }
+
+  /** The values of a coordinate of the places that may be passed. */
+  std::pair<double, double> reach(int axis) const
+  {
+    const double middle = 0.5 * (m_from[axis] + m_to[axis]);
+    return { middle - 0.5 * m_length, middle + 0.5 * m_length };
+  }
+
   /** Whether a place is near enough to be between a part that bends one way and its chord. */
   bool mayPass(const Point3& place) const
   {
     return (place - m_from).norm() + (place - m_to).norm() < m_length;
   }
 
-  /** Whether the chord is farther from the foot of a place than the place itself. */
+  /** Whether the angle at a place, between its foot and the chord's nearest point, is obtuse. */
   bool passes(const Point3& place, const Point3& foot) const
   {
     const Point3 onChord = m_from + nearestShare(foot, m_from, m_to) * (m_to - m_from);
-    return (place - foot).squaredNorm() < (onChord - foot).squaredNorm();
+    return (place - foot).dot(place - onChord) < 0.0;
   }
 
   Foot footOf(const Point3& place) const
@@ -98,10 +111,18 @@ private:
 }
 
 std::vector<PassedPoint> findPassedPoints(const FeaturedSurface& featured,
-  const FeatureSites& featureSites, const std::vector<Index>& points)
+  const FeatureSites& featureSites, const std::vector<Index>& points, const RunControl& control)
 {
+  constexpr int axis = 0;
+  std::vector<std::pair<double, Index>> along;
+  for (const Index point : points)
+  {
+    along.emplace_back(featureSites.points[point].place[axis], point);
+  }
+  std::sort(along.begin(), along.end());
   std::vector<PassedPoint> found;
-  for (std::size_t c = 0; c < featureSites.stations.size() && !points.empty(); ++c)
+  const std::size_t curves = along.empty() ? 0 : featureSites.stations.size();
+  for (std::size_t c = 0; c < curves && !control.cancelled(); ++c)
   {
     const std::vector<Station>& stations = featureSites.stations[c];
     const std::vector<Index>& ends = featureSites.curvePoints[c];
@@ -109,8 +130,15 @@ std::vector<PassedPoint> findPassedPoints(const FeaturedSurface& featured,
     {
       const Section section(
         featured.mesh, featured.features.curves[c], stations[k], stations[k + 1]);
-      for (const Index point : points)
+      if (!section.bends())
       {
+        continue;
+      }
+      const auto [least, most] = section.reach(axis);
+      for (auto at = std::lower_bound(along.begin(), along.end(), std::pair(least, noIndex));
+           at != along.end() && at->first <= most; ++at)
+      {
+        const Index point = at->second;
         const Point3& place = featureSites.points[point].place;
         const bool isEnd = point == ends[k] || point == ends[k + 1];
         if (isEnd || !section.mayPass(place))

@@ -9,10 +9,14 @@
 #define remesh_PassedPoints_h
 
 #include "Features/FeatureSites.h"
+#include "Support/RunControl.h"
 
 namespace remesh
 {
-/** A feature point between a section of a curve and its chord. */
+/**
+ * A feature point between a section of a curve and its chord: in the ball over the point's foot on
+ * the curve and the chord's point that is nearest to this foot.
+ */
 struct PassedPoint
 {
   Index point;
@@ -23,11 +27,13 @@ struct PassedPoint
 
 /**
  * @param points feature points; those to look for.
- * @return by curve, section, point.
- * Cost: O(V) for V points on curves, and a distance for each section and point.
+ * @return by curve and section; of no use when cancelled, which is asked curve by curve.
+ * Cost: O(V) for V points on curves; for each section that bends, the points that are as far along
+ * an axis as it reaches.
  */
 std::vector<PassedPoint> findPassedPoints(const FeaturedSurface& featured,
-  const FeatureSites& featureSites, const std::vector<Index>& points);
+  const FeatureSites& featureSites, const std::vector<Index>& points,
+  const RunControl& control = RunControl());
 }
 
 #endif

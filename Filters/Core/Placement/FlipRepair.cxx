@@ -111,6 +111,7 @@ Status repairFlips(const FlipTask& task, FlipSteps steps, FlipSearch& search,
   {
     RepairedMesh repaired(task.problem, task.surface, task.shapes, triangles, positions);
     turnBack(dual, repaired, repair);
+    repair.refilled = std::min(repair.refilled, repair.flippedEdges);
   }
   return Status::success();
 }

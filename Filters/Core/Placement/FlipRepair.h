@@ -19,7 +19,7 @@ struct FlipRepair
   Offset flippedTriangles = 0; ///< that are left
   Offset movedVertices = 0;
   Offset flippedEdges = 0; ///< in the place of the dual's, as many
-  Offset refilled = 0;     ///< triangles that nothing but other edges around them turned back
+  Offset refilled = 0; ///< triangles turned back by CavityRepair.h, at most: again, if they flip
 };
 
 /**
