@@ -61,7 +61,8 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
   }
   FeatureOptions options;
   options.angleDegrees = request.featureAngle;
-  options.spacing = meanSpacing(prepared.mesh, request.numberOfSites);
+  options.spacing = meanSpacing(
+    prepared.mesh, request.sitesForFeatures > 0 ? request.sitesForFeatures : request.numberOfSites);
   if (request.labels)
   {
     if (Status status = readFacetLabels(
@@ -76,6 +77,7 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
   {
     return Status::cancelled();
   }
+  prepared.droppedCreases = features.droppedEdges;
   if (features.any() || features.numberOfPatches > 1)
   {
     prepared.features = std::move(features);

@@ -29,11 +29,12 @@ struct PreparationRequest
   int normalSmoothingPasses = -1; ///< negative: over the spacing of `numberOfSites`
   double smoothing = 1.0;         ///< that radius is multiplied by this
   bool mayStaySharp = true; ///< whether normals are left as they are where they have few wrinkles
-  double smoothingRadius = -1.0;     ///< 0 or more: this one instead, whatever the passes
-  Offset numberOfSites = 10000;      ///< that the surface is prepared for
-  double mergeTolerance = 0.0;       ///< fraction of the bounding-box diagonal
-  vtkDataArray* normals = nullptr;   ///< of the points; nullptr: estimate
-  bool normalsRequired = false;      ///< whether unusable normals are an error
+  double smoothingRadius = -1.0;   ///< 0 or more: this one instead, whatever the passes
+  Offset numberOfSites = 10000;    ///< that the surface is prepared for
+  Offset sitesForFeatures = 0;     ///< whose spacing tells features from noise; 0: `numberOfSites`
+  double mergeTolerance = 0.0;     ///< fraction of the bounding-box diagonal
+  vtkDataArray* normals = nullptr; ///< of the points; nullptr: estimate
+  bool normalsRequired = false;    ///< whether unusable normals are an error
   vtkDataArray* embedding = nullptr; ///< of the points; replaces all others
   vtkDataArray* density = nullptr;   ///< of the points; nullptr: the same everywhere
   std::vector<std::pair<vtkDataArray*, double>> coordinates; ///< appended, each times its scale
@@ -63,6 +64,7 @@ struct PreparedSurface
   EmbeddedSurface surface;
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
   std::optional<Features> features;
+  Index droppedCreases = 0; ///< that are too small for the sites, sides of needles, and steps
   std::vector<vtkAbstractArray*> usedArrays; ///< those given as normals or embedding
   std::vector<std::string> warnings;
 };

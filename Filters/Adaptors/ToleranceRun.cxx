@@ -1,10 +1,10 @@
 #include "Adaptors/ToleranceRun.h"
 
+#include "Adaptors/FinerCreases.h"
 #include "Mesh/Extent.h"
 #include "MeshDistance.h"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 
 namespace remesh
@@ -19,8 +19,8 @@ constexpr int mostRuns = 4;             // whole ones, before refinement
 constexpr double enough = 0.95;         // of the points that features ask for
 constexpr double wellWithin = 0.8;      // of the tolerance: fewer points will do
 constexpr double fewestAtOnce = 0.3;    // of the points, in one descent
-constexpr Offset mostGrowth = 4;        // of the points, in refinement where creases are left out
-constexpr int mostSearches = 4;         // with ever more creases
+constexpr Offset mostGrowth = 2;        // of the points, in refinement where creases are left out
+constexpr double mostFarCells = 0.5;    // of those there were, where more creases are kept
 constexpr double leastTolerance = 1e-7; // of the diagonal: single precision
 
 /** The whole run, with one number of points after the other. */
@@ -31,14 +31,6 @@ struct ToleranceRun
   ToleranceOptions tolerance;
   bool extraIsOnePercent;
   NumberOutcome& outcome;
-
-  /** Whole runs with fewer points, one after the other. */
-  struct Descent
-  {
-    Offset from = 0;                                   ///< number of points of the run before
-    Index dropped = std::numeric_limits<Index>::max(); ///< its creases
-    bool isOver = false;
-  } descent = {};
 
   PreparedSurface& prepared = outcome.prepared;
   RemeshResult& result = outcome.result;
@@ -106,46 +98,34 @@ struct ToleranceRun
     return how;
   }
 
-  Index droppedCreases() const { return this->features() ? this->features()->droppedEdges : 0; }
+  /** As many points as leave enough besides those that features need. */
+  Offset numberBeside(Offset needed) const
+  {
+    return numberForTolerance({ 0, 0.0, needed }, this->tolerance);
+  }
 
   /**
-   * The number for another whole run, or 0: more points while the features take most of them, as
-   * more creases count where points are denser; else fewer, while the last run was well within the
-   * tolerance, but not so few that creases are lost.
+   * The number for another whole run, or 0: more points while the features take most of them, fewer
+   * while the last run was well within the tolerance.
    *
    * @param share what the last run reached of the tolerance.
    */
-  Offset numberAfter(double share)
+  Offset numberAfter(double share) const
   {
-    const Offset least =
-      numberForTolerance({ 0, 0.0, this->result.neededFeaturePoints }, this->tolerance);
+    const Offset least = this->numberBeside(this->result.neededFeaturePoints);
     const Offset number = this->request.preparation.numberOfSites;
-    const Index dropped = this->droppedCreases();
     if (number < enough * least)
     {
-      this->descent.isOver = true;
       return least;
     }
-    if (this->descent.isOver)
-    {
-      return 0;
-    }
-    if (dropped > this->descent.dropped)
-    {
-      this->descent.isOver = true;
-      return this->descent.from;
-    }
-    if (share > wellWithin || number <= least)
-    {
-      return 0;
-    }
-    this->descent = { number, dropped, false };
-    return std::max(least, static_cast<Offset>(std::max(fewestAtOnce, share) * number));
+    return share > wellWithin || number <= least
+      ? 0
+      : std::max(least, static_cast<Offset>(std::max(fewestAtOnce, share) * number));
   }
 
+  /** Whole runs with the same creases. */
   Status approach(Offset number, RunControl control)
   {
-    this->descent = Descent{};
     for (int run = 0; run < mostRuns && number > 0; ++run)
     {
       control = control.part(0.0, 1.0);
@@ -167,41 +147,96 @@ struct ToleranceRun
     return Status::success();
   }
 
+  /** Refinement, until there are so many points. */
+  Status refine(Offset many, const RunControl& control, ToleranceOutcome& reached)
+  {
+    ToleranceOptions limited = this->tolerance;
+    limited.manyPoints = many;
+    return refineToTolerance(this->prepared.mesh, this->prepared.surface, this->options, limited,
+      control, this->result, this->features(), reached);
+  }
+
+  /** Time and evaluations of another mesh count, too. */
+  static void addEffort(const NumberOutcome& other, NumberOutcome& outcome)
+  {
+    outcome.intakeSeconds = other.intakeSeconds;
+    outcome.result.seconds = other.result.seconds;
+    outcome.result.evaluations = other.result.evaluations;
+  }
+
+  /**
+   * Whole runs with finer creases; kept if they have far fewer cells with a place beyond than there
+   * were, with about as many points.
+   */
+  Status tryCreases(
+    const FinerCreases& finer, Offset number, const RunControl& control, ToleranceOutcome& reached)
+  {
+    PreparationRequest& preparation = this->request.preparation;
+    const Offset coarseNumber = preparation.numberOfSites;
+    const Offset coarseSites = preparation.sitesForFeatures;
+    const ToleranceOutcome coarseReached = reached;
+    NumberOutcome coarse = std::move(this->outcome);
+    addEffort(coarse, this->outcome);
+    preparation.sitesForFeatures = finer.sites;
+    Status status = this->approach(number, control.part(0.0, 0.9));
+    if (status.ok())
+    {
+      status = this->refine(0, control.part(0.9, 1.0), reached); // looks for them
+    }
+    if (status.ok() && reached.farCells.size() > mostFarCells * coarseReached.farCells.size())
+    {
+      addEffort(this->outcome, coarse);
+      this->outcome = std::move(coarse);
+      reached = coarseReached;
+      preparation.sitesForFeatures = coarseSites;
+      preparation.numberOfSites = coarseNumber;
+      this->setNumber(coarseNumber, this->options);
+    }
+    return status;
+  }
+
   /**
    * Whole runs, and refinement from there. Where creases are too small for the points, they are
-   * refined as round ones, which can take many times as many: then again, with that many from the
-   * beginning.
+   * refined as round ones, which can take many times as many: as soon as those that count where
+   * points are denser take fewer, they are tried.
    */
   Status search(Offset number, RunControl control, ToleranceOutcome& reached)
   {
-    const auto numberNow = [this]() { return Offset(this->result.components.count()); };
-    for (int search = 1;; ++search)
+    const Offset any = this->tolerance.mostPoints;
+    Offset& sitesForFeatures = this->request.preparation.sitesForFeatures;
+    sitesForFeatures = number;
+    Status status = this->approach(number, control.part(0.0, 0.3));
+    for (bool goesOn = true; status.ok() && goesOn;)
     {
-      Status status = this->approach(number, control.part(0.0, 0.5));
-      const bool isLast = search == mostSearches || this->droppedCreases() == 0;
-      ToleranceOptions limited = this->tolerance;
-      if (!isLast)
-      {
-        limited.mostPoints = std::min(limited.mostPoints, mostGrowth * numberNow());
-      }
-      if (status.ok())
-      {
-        status = refineToTolerance(this->prepared.mesh, this->prepared.surface, this->options,
-          limited, control.part(0.5, 0.9), this->result, this->features(), reached);
-      }
-      if (!status.ok() || isLast || reached == ToleranceOutcome::Kept ||
-        numberNow() >= this->tolerance.mostPoints)
+      control = control.part(0.3, 1.0);
+      const Offset few =
+        this->prepared.droppedCreases > 0 ? mostGrowth * this->result.components.count() : any;
+      status = this->refine(few, control.part(0.0, 0.2), reached);
+      if (!status.ok() || reached.how == ToleranceOutcome::Kept)
       {
         return status;
       }
-      const Offset doubled = 2 * this->request.preparation.numberOfSites;
-      number = std::min(std::max(numberNow(), doubled), this->tolerance.mostPoints);
-      control = control.part(0.9, 1.0);
+      FinerCreases finer;
+      status = findFinerCreases(this->request, this->outcome, reached.farCells,
+        this->tolerance.tolerance, this->options.mostCurveError, control.part(0.2, 0.22), finer);
+      const Offset taken = finer.sites > 0 ? this->numberBeside(finer.neededPoints) : any;
+      if (status.ok() && reached.how == ToleranceOutcome::TooManyPoints)
+      {
+        status = this->refine(taken, control.part(0.22, 0.25), reached);
+      }
+      if (!status.ok() || finer.sites == 0 || reached.how == ToleranceOutcome::Kept)
+      {
+        return status;
+      }
+      const Offset before = sitesForFeatures;
+      status = this->tryCreases(finer, std::max(number, taken), control.part(0.25, 0.3), reached);
+      goesOn = sitesForFeatures != before;
     }
+    return status.ok() ? this->refine(any, control.part(0.3, 1.0), reached) : status;
   }
 
   /** What was reached. A bound that was proven in refinement holds, however far this one comes. */
-  Status report(ToleranceOutcome reached, const RunControl& control)
+  Status report(ToleranceOutcome::How reached, const RunControl& control)
   {
     TwoSidedDistance& distance = this->result.distance.emplace();
     if (Status status = this->measure(this->closely(), control, distance); !status.ok())
@@ -265,13 +300,13 @@ Status remeshWithin(const ToleranceRequest& tolerance, NumberRequest request, Re
   }
   run.options.mostCurveError = 0.25 * run.tolerance.tolerance;
   Status status = run.pilot(control.part(0.03, 0.1), number);
-  ToleranceOutcome reached = ToleranceOutcome::Stuck;
+  ToleranceOutcome reached;
   if (status.ok())
   {
     status = run.search(number, control.part(0.1, 0.95), reached);
   }
   RunControl last = control.part(0.95, 1.0);
   last.enterPhase("Distance", 0.0, 1.0);
-  return status.ok() ? run.report(reached, last) : status;
+  return status.ok() ? run.report(reached.how, last) : status;
 }
 }

@@ -90,6 +90,10 @@ Status findExcess(const Search& search, const RunControl& control, std::vector<E
   const Triangles mesh = trianglesOf(search.result);
   const TriangleTree meshTree(mesh, control);
   std::vector<FarPlace> places;
+  if (control.cancelled()) // the tree may be empty then
+  {
+    return Status::cancelled();
+  }
   if (meshTree.empty())
   {
     return Status::invalid("The mesh has no triangle with an area above 0.");
@@ -345,12 +349,18 @@ Status refineToTolerance(const SurfaceMesh& mesh, const EmbeddedSurface& surface
     const double share = static_cast<double>(excess.size()) / result.components.count();
     idle = share < progress * least ? 0 : idle + 1;
     least = std::min(least, share);
-    const Offset room = tolerance.mostPoints - result.components.count();
+    const Offset number = result.components.count();
+    const Offset room = number < tolerance.manyPoints ? tolerance.mostPoints - number : 0;
     if (excess.empty() || room <= 0 || idle == mostIdleRounds || round == tolerance.mostRounds)
     {
-      outcome = excess.empty() ? ToleranceOutcome::Kept
-        : room <= 0            ? ToleranceOutcome::TooManyPoints
-                               : ToleranceOutcome::Stuck;
+      outcome.how = excess.empty() ? ToleranceOutcome::Kept
+        : room <= 0                ? ToleranceOutcome::TooManyPoints
+                                   : ToleranceOutcome::Stuck;
+      outcome.farCells.clear();
+      for (const Excess& each : excess)
+      {
+        outcome.farCells.push_back(each.component);
+      }
       return Status::success();
     }
     std::vector<double> added = newSites(search, excess, room);

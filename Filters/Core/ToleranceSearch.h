@@ -4,12 +4,12 @@
  *
  * 1. A pilot run with few points; the mean distance falls as 1 over their number, which gives the
  *    number for which it is a third of the tolerance: then most of the mesh is within it.
- * 2. That run. Further ones: with more points, if features take most of them; with fewer, while
- *    nothing is beyond the tolerance and no creases are lost.
+ * 2. That run. Further ones, with the same creases: with more points, if features take most of
+ * them; with fewer, while nothing is beyond the tolerance.
  * 3. Where the mesh or the surface is beyond (DistanceLimit.h), sites are added, one in each cell;
  *    two Lloyd steps, diagram, dual and placement follow; again until nothing is beyond.
- * 4. Where that does not end, or takes several times as many points, and there are creases too
- *    small for the number of step 2: again from there, with so many points.
+ * 4. Where that does not end, or takes more points than creases would that were too small for the
+ *    number of step 2, and these are where the mesh is far: again from there, with those creases.
  *
  * So the points that single places take are put there, and not spread over the whole surface.
  */
@@ -18,7 +18,7 @@
 
 #include "Remesh.h"
 
-#include <functional>
+#include <limits>
 
 namespace remesh
 {
@@ -26,14 +26,22 @@ struct ToleranceOptions
 {
   double tolerance = 0.0;      ///< above 0, in the unit of the points
   Offset mostPoints = 1000000; ///< that the mesh may have
-  int mostRounds = 40;         ///< of step 3
+  /** With how many points step 3 ends, before a round. */
+  Offset manyPoints = std::numeric_limits<Offset>::max();
+  int mostRounds = 40; ///< of step 3
 };
 
-enum class ToleranceOutcome
+struct ToleranceOutcome
 {
-  Kept,
-  TooManyPoints, ///< it would take more than allowed
-  Stuck          ///< further points do not help
+  enum How
+  {
+    Kept,
+    TooManyPoints, ///< it would take more than allowed
+    Stuck          ///< further points do not help
+  };
+
+  How how = Stuck;
+  std::vector<Index> farCells; ///< components with a place beyond the tolerance, ascending
 };
 
 /** What is known of a run when the number for the next one is chosen. */

@@ -1,5 +1,6 @@
 // DistanceTolerance: kept, with few points; told where it cannot be; the same bytes; abort.
 
+#include "Support/Random.h"
 #include "TestBytes.h"
 
 #include "vtkAnisotropicRemesher.h"
@@ -12,6 +13,8 @@ using namespace remesh::test;
 
 namespace
 {
+constexpr double noCreases = 170.0; // degrees, but borders
+
 vtkSmartPointer<vtkAnisotropicRemesher> filterOf(vtkPolyData* input, double tolerance)
 {
   auto filter = vtkSmartPointer<vtkAnisotropicRemesher>::New();
@@ -49,9 +52,10 @@ Point3 comparison(vtkPolyData* mesh, vtkPolyData* reference)
 }
 
 /** Kept as the comparison measures it, without a warning; returns the number of points. */
-vtkIdType checkKept(vtkPolyData* input, double tolerance)
+vtkIdType checkKept(vtkPolyData* input, double tolerance, double featureAngle = 35.0)
 {
   const auto filter = filterOf(input, tolerance);
+  filter->SetFeatureAngle(featureAngle);
   Messages messages(filter);
   filter->Update();
   CHECK(messages.errors().empty());
@@ -158,16 +162,34 @@ void testSmallCreases()
   CHECK(checkKept(input, 1e-3) < 1.1 * 16 * 16 * 8 / 0.6);
 }
 
-/** Creases too small for any run: at first ever more cells are too large, as they are divided. */
+/** Creases that are not kept: at first ever more cells are too large, as they are divided. */
 void testManyRounds()
 {
-  checkKept(polyDataOf(studs(6, 0.1 / 6, 0.06 / 6)), 1.2e-3);
+  checkKept(polyDataOf(studs(6, 0.1 / 6, 0.06 / 6)), 1.2e-3, noCreases);
 }
 
-/** Creases that cost far more when they are refined as round ones than points that keep them. */
+/**
+ * Creases that cost far more when they are refined as round ones than points that keep them, and
+ * that are much smaller than the spacing of as few points.
+ */
 void testShallowCreases()
 {
-  checkKept(polyDataOf(studs(8, 0.1 / 8, 0.02 / 8)), 3e-4);
+  constexpr int count = 5;
+  const vtkIdType points = checkKept(polyDataOf(studs(count, 0.0125, 0.0025)), 3e-4);
+  CHECK(points < 1.1 * (count * count * 8 + 4) / 0.6);
+}
+
+/** Creases of noise, which are everywhere, are not kept for the sake of the distance. */
+void testNoise()
+{
+  TriangleSoup soup = icosphere(4);
+  std::uint64_t counter = 0;
+  for (Point3& point : soup.points)
+  {
+    point *= 1.0 + 0.06 * uniform01(1, counter++, 0);
+  }
+  const auto input = polyDataOf(soup);
+  CHECK(checkKept(input, 4e-3) < 1.1 * checkKept(input, 4e-3, noCreases));
 }
 
 void testAbsolute()
@@ -311,6 +333,7 @@ int TestTolerance(int, char*[])
   testSmallCreases();
   testManyRounds();
   testShallowCreases();
+  testNoise();
   testAbsolute();
   testNumberDoesNotCount();
   testImpossible();

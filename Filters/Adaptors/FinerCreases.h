@@ -1,0 +1,34 @@
+/**
+ * @file FinerCreases.h
+ * @brief Creases that are too small for a mesh's points, but the reason why it is far.
+ */
+#ifndef remesh_FinerCreases_h
+#define remesh_FinerCreases_h
+
+#include "Adaptors/NumberRun.h"
+
+namespace remesh
+{
+struct FinerCreases
+{
+  Offset sites = 0;        ///< whose spacing lets them count; 0: there are none
+  Offset neededPoints = 0; ///< that all features then take at least
+};
+
+/**
+ * Looks at the features for ever more sites, until those that are new are in nearly all of the
+ * cells that are far: noise is everywhere, and no reason.
+ *
+ * @param request what `outcome` is of.
+ * @param farCells components of `outcome` that have a place beyond a tolerance.
+ * @param tolerance unit of the points; smaller creases are no reason.
+ * @param mostCurveError unit of the points, as for the run.
+ * @return as the preparation; Cancelled.
+ * Cost: a preparation of the surface for each four times as many sites.
+ */
+Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outcome,
+  const std::vector<Index>& farCells, double tolerance, double mostCurveError,
+  const RunControl& control, FinerCreases& finer);
+}
+
+#endif
