@@ -76,11 +76,12 @@ public:
    *
    * The tolerance is proven to hold on all of both surfaces, not only at samples. Where it cannot
    * be kept, because it takes more than `MaximumNumberOfPoints`, or because further points do not
-   * help (as at creases with `PreserveFeatures` off), there is a warning, and the last mesh comes
-   * out. The field arrays `MaximumDistance` and `RMSDistance` tell what was reached.
+   * help (as at creases with `PreserveFeatures` off), there is a warning, and what was reached
+   * comes out. The field arrays `MaximumDistance` and `RMSDistance` tell what was reached.
    *
    * Points are dense where single places need it: after a run with a number of points for which
-   * most of the mesh is within the tolerance, points are added where it is not. There may be
+   * most of the mesh is within the tolerance, points are added where it is not. Creases too small
+   * for the spacing are then kept, too, where they take fewer points. There may be
    * ten such rounds or more, each with a diagram and a placement: count on ten times a run with the
    * number of points that come out. Not with given initial sites.
    */
@@ -92,7 +93,10 @@ public:
   ///@}
 
   ///@{
-  /** The most points that `DistanceTolerance` may take, from 4; default 1000000. */
+  /**
+   * The most points that `DistanceTolerance` may take, from 4; default 1000000. Some percent more
+   * where the last cells are not connected.
+   */
   vtkSetClampMacro(MaximumNumberOfPoints, vtkIdType, 4, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfPoints, vtkIdType);
   ///@}

@@ -1,6 +1,7 @@
 #include "Adaptors/FinerCreases.h"
 
 #include "Features/CurveSampling.h"
+#include "Features/FeatureGraph.h"
 #include "Mesh/NormalFlow.h"
 
 #include <algorithm>
@@ -12,40 +13,27 @@ namespace
 constexpr Offset growth = 4;       // of the sites, from one look to the next
 constexpr double leastShare = 0.9; // of the far cells, with creases that are new
 
-/** The same in R^3: what features there are does not depend on more. */
-PreparationRequest inSpace(PreparationRequest preparation)
+/** F: whether a facet has a point on an edge that is a feature among the fine ones alone. */
+std::vector<char> facetsAtNewFeatures(
+  const SurfaceMesh& mesh, const Features* coarse, const Features& fine)
 {
-  preparation.gaussMap = false;
-  preparation.normalSmoothingPasses = 0;
-  preparation.normals = nullptr;
-  preparation.embedding = nullptr;
-  preparation.density = nullptr;
-  preparation.coordinates.clear();
-  return preparation;
-}
-
-/** F: whether a facet has a point on an edge that is a feature on one surface alone. */
-std::vector<char> facetsAtNewFeatures(const PreparedSurface& coarse, const PreparedSurface& fine)
-{
-  const EdgeTable& edges = fine.features->edges;
-  std::vector<char> isNew(fine.mesh.points.size(), 0);
-  for (Index facet = 0; facet < fine.mesh.numberOfFacets(); ++facet)
+  std::vector<char> isNew(mesh.points.size(), 0);
+  for (Index facet = 0; facet < mesh.numberOfFacets(); ++facet)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const Index edge = edges.facetEdges[facet][k];
-      const bool wasThere = coarse.features && coarse.features->kinds[edge] != FeatureKind::None;
-      if (fine.features->kinds[edge] != FeatureKind::None && !wasThere)
+      const bool wasThere = coarse && coarse->kind(facet, k) != FeatureKind::None;
+      if (fine.kind(facet, k) != FeatureKind::None && !wasThere)
       {
-        isNew[fine.mesh.facetPoints[facet][k]] = 1;
-        isNew[fine.mesh.facetPoints[facet][(k + 1) % 3]] = 1;
+        isNew[mesh.facetPoints[facet][k]] = 1;
+        isNew[mesh.facetPoints[facet][(k + 1) % 3]] = 1;
       }
     }
   }
-  std::vector<char> found(fine.mesh.facetPoints.size(), 0);
-  for (Index facet = 0; facet < fine.mesh.numberOfFacets(); ++facet)
+  std::vector<char> found(mesh.facetPoints.size(), 0);
+  for (Index facet = 0; facet < mesh.numberOfFacets(); ++facet)
   {
-    const Triple& points = fine.mesh.facetPoints[facet];
+    const Triple& points = mesh.facetPoints[facet];
     found[facet] = isNew[points[0]] || isNew[points[1]] || isNew[points[2]];
   }
   return found;
@@ -71,29 +59,45 @@ Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outco
   const std::vector<Index>& farCells, double tolerance, double mostCurveError,
   const RunControl& control, FinerCreases& finer)
 {
-  const PreparedSurface& coarse = outcome.prepared;
-  PreparationRequest preparation = inSpace(request.preparation);
-  finer = FinerCreases{};
-  for (Index dropped = coarse.droppedCreases; finer.sites == 0 && dropped > 0;)
+  const PreparedSurface& prepared = outcome.prepared;
+  const Features* coarse = prepared.features ? &*prepared.features : nullptr;
+  FeatureOptions options;
+  if (Status status =
+        readFeatureOptions(request.input, request.preparation, prepared.mesh, options);
+      !status.ok())
   {
-    preparation.sitesForFeatures *= growth;
-    if (!(meanSpacing(coarse.mesh, preparation.sitesForFeatures) > tolerance))
+    return status;
+  }
+  finer = FinerCreases{};
+  Offset sites = request.preparation.sitesForFeatures;
+  for (Index dropped = prepared.droppedCreases; finer.sites == 0 && dropped > 0;)
+  {
+    sites *= growth;
+    options.spacing = meanSpacing(prepared.mesh, sites);
+    if (!(options.spacing > tolerance))
     {
       break;
     }
-    PreparedSurface fine;
-    if (Status status = prepareSurface(request.input, preparation, control, fine); !status.ok())
+    SurfaceMesh mesh = prepared.mesh; // to be cut open elsewhere
+    const Features fine = findFeatures(mesh, options, control);
+    if (control.cancelled())
     {
-      return status;
+      return Status::cancelled();
     }
-    if (fine.features && fine.droppedCreases < dropped &&
-      shareOn(facetsAtNewFeatures(coarse, fine), outcome.result, farCells) >= leastShare)
+    if (fine.droppedEdges < dropped &&
+      shareOn(facetsAtNewFeatures(mesh, coarse, fine), outcome.result, farCells) >= leastShare)
     {
-      finer.sites = preparation.sitesForFeatures;
-      sampleCurves({ fine.mesh, fine.surface, *fine.features }, outcome.result.components.count(),
-        mostCurveError, control, finer.neededPoints);
+      EmbeddedSurface surface; // bends do not depend on more than the place
+      if (Status status = embedSurface(mesh, positionCoordinates(mesh), control, surface);
+          !status.ok())
+      {
+        return status;
+      }
+      finer.sites = sites;
+      sampleCurves({ mesh, surface, fine }, outcome.result.components.count(), mostCurveError,
+        control, finer.neededPoints);
     }
-    dropped = fine.droppedCreases;
+    dropped = fine.droppedEdges;
   }
   return control.cancelled() ? Status::cancelled() : Status::success();
 }

@@ -16,15 +16,15 @@ struct FinerCreases
 };
 
 /**
- * Looks at the features for ever more sites, until those that are new are in nearly all of the
- * cells that are far: noise is everywhere, and no reason.
+ * Looks at the features for ever more sites, until those that are new touch nearly all of the cells
+ * that are far. They may still be noise, which is everywhere: only a mesh with them tells.
  *
  * @param request what `outcome` is of.
  * @param farCells components of `outcome` that have a place beyond a tolerance.
  * @param tolerance unit of the points; smaller creases are no reason.
  * @param mostCurveError unit of the points, as for the run.
- * @return as the preparation; Cancelled.
- * Cost: a preparation of the surface for each four times as many sites.
+ * @return Cancelled, or as readFeatureOptions().
+ * Cost: O(F) for each four times as many sites; memory, a copy of the mesh.
  */
 Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outcome,
   const std::vector<Index>& farCells, double tolerance, double mostCurveError,

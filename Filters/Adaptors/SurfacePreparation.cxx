@@ -60,17 +60,9 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
     return Status::success();
   }
   FeatureOptions options;
-  options.angleDegrees = request.featureAngle;
-  options.spacing = meanSpacing(
-    prepared.mesh, request.sitesForFeatures > 0 ? request.sitesForFeatures : request.numberOfSites);
-  if (request.labels)
+  if (Status status = readFeatureOptions(input, request, prepared.mesh, options); !status.ok())
   {
-    if (Status status = readFacetLabels(
-          prepared.mesh, request.labels, input->GetNumberOfCells(), options.facetLabels);
-        !status.ok())
-    {
-      return status;
-    }
+    return status;
   }
   Features features = findFeatures(prepared.mesh, options, control, &prepared.borrowedNormals);
   if (control.cancelled())
@@ -194,6 +186,17 @@ Status makeCoordinates(vtkPolyData* input, const PreparationRequest& request, bo
   }
   return Status::success();
 }
+}
+
+Status readFeatureOptions(vtkPolyData* input, const PreparationRequest& request,
+  const SurfaceMesh& mesh, FeatureOptions& options)
+{
+  options.angleDegrees = request.featureAngle;
+  options.spacing = meanSpacing(
+    mesh, request.sitesForFeatures > 0 ? request.sitesForFeatures : request.numberOfSites);
+  return request.labels
+    ? readFacetLabels(mesh, request.labels, input->GetNumberOfCells(), options.facetLabels)
+    : Status::success();
 }
 
 Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,

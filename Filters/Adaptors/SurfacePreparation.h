@@ -6,7 +6,7 @@
 #define remesh_SurfacePreparation_h
 
 #include "Embedding/Embedding.h"
-#include "Features/Features.h"
+#include "Features/FeatureEdges.h"
 #include "Mesh/Intake.h"
 #include "Mesh/Normals.h"
 
@@ -68,6 +68,10 @@ struct PreparedSurface
   std::vector<vtkAbstractArray*> usedArrays; ///< those given as normals or embedding
   std::vector<std::string> warnings;
 };
+
+/** Which features count for so many sites. @return as readFacetLabels(). */
+Status readFeatureOptions(vtkPolyData* input, const PreparationRequest& request,
+  const SurfaceMesh& mesh, FeatureOptions& options);
 
 Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   const RunControl& control, PreparedSurface& prepared);

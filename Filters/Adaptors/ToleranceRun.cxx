@@ -5,6 +5,7 @@
 #include "MeshDistance.h"
 
 #include <algorithm>
+#include <new>
 #include <sstream>
 
 namespace remesh
@@ -19,8 +20,8 @@ constexpr int mostRuns = 4;             // whole ones, before refinement
 constexpr double enough = 0.95;         // of the points that features ask for
 constexpr double wellWithin = 0.8;      // of the tolerance: fewer points will do
 constexpr double fewestAtOnce = 0.3;    // of the points, in one descent
-constexpr Offset mostGrowth = 2;        // of the points, in refinement where creases are left out
-constexpr double mostFarCells = 0.5;    // of those there were, where more creases are kept
+constexpr Offset mostGrowth = 2;        // of the points, before finer creases are looked for
+constexpr double mostFarCells = 0.5;    // of those there were, where finer creases are kept
 constexpr double leastTolerance = 1e-7; // of the diagonal: single precision
 
 /** The whole run, with one number of points after the other. */
@@ -156,83 +157,129 @@ struct ToleranceRun
       control, this->result, this->features(), reached);
   }
 
-  /** Time and evaluations of another mesh count, too. */
-  static void addEffort(const NumberOutcome& other, NumberOutcome& outcome)
+  /** What takes more memory than there is, is left. */
+  template <class Make>
+  static Status attempt(const Make& make)
   {
-    outcome.intakeSeconds = other.intakeSeconds;
-    outcome.result.seconds = other.result.seconds;
-    outcome.result.evaluations = other.result.evaluations;
+    try
+    {
+      return make();
+    }
+    catch (const std::bad_alloc&) // there are two surfaces and results now, or more
+    {
+      Status status;
+      status.code = StatusCode::OutOfMemory;
+      return status;
+    }
   }
 
   /**
-   * Whole runs with finer creases; kept if they have far fewer cells with a place beyond than there
-   * were, with about as many points.
+   * Whole runs with finer creases; kept if half as many cells have a place beyond as before, with
+   * no more than twice as many points.
+   *
+   * @return Cancelled, or success.
    */
-  Status tryCreases(
-    const FinerCreases& finer, Offset number, const RunControl& control, ToleranceOutcome& reached)
+  Status tryCreases(const FinerCreases& finer, Offset number, const RunControl& control,
+    ToleranceOutcome& reached, bool& kept)
   {
     PreparationRequest& preparation = this->request.preparation;
     const Offset coarseNumber = preparation.numberOfSites;
     const Offset coarseSites = preparation.sitesForFeatures;
     const ToleranceOutcome coarseReached = reached;
     NumberOutcome coarse = std::move(this->outcome);
-    addEffort(coarse, this->outcome);
     preparation.sitesForFeatures = finer.sites;
-    Status status = this->approach(number, control.part(0.0, 0.9));
-    if (status.ok())
+    const Status status = attempt(
+      [&]()
+      {
+        const Status made = this->approach(number, control.part(0.0, 0.9));
+        return made.ok() ? this->refine(0, control.part(0.9, 1.0), reached)
+                         : made; // looks for them
+      });
+    const Offset most =
+      std::min(mostGrowth * coarse.result.components.count(), this->tolerance.mostPoints);
+    kept = status.ok() && this->result.components.count() <= most &&
+      reached.farCells.size() <= mostFarCells * coarseReached.farCells.size();
+    if (!kept && status.code != StatusCode::Cancelled)
     {
-      status = this->refine(0, control.part(0.9, 1.0), reached); // looks for them
-    }
-    if (status.ok() && reached.farCells.size() > mostFarCells * coarseReached.farCells.size())
-    {
-      addEffort(this->outcome, coarse);
+      coarse.intakeSeconds = this->outcome.intakeSeconds; // of all runs
+      coarse.result.seconds = this->result.seconds;
+      coarse.result.evaluations = this->result.evaluations;
       this->outcome = std::move(coarse);
       reached = coarseReached;
       preparation.sitesForFeatures = coarseSites;
       preparation.numberOfSites = coarseNumber;
       this->setNumber(coarseNumber, this->options);
     }
-    return status;
+    return status.code == StatusCode::Cancelled ? status : Status::success();
+  }
+
+  /** Creases to be tried, with as many points as leave enough besides them; else any number. */
+  Status findCreases(const ToleranceOutcome& reached, const RunControl& control,
+    FinerCreases& finer, Offset& taken) const
+  {
+    const Status status = attempt(
+      [&]()
+      {
+        return findFinerCreases(this->request, this->outcome, reached.farCells,
+          this->tolerance.tolerance, this->options.mostCurveError, control, finer);
+      });
+    taken = status.ok() && finer.sites > 0 ? this->numberBeside(finer.neededPoints)
+                                           : this->tolerance.mostPoints;
+    return status.code == StatusCode::Cancelled ? status : Status::success();
   }
 
   /**
    * Whole runs, and refinement from there. Where creases are too small for the points, they are
-   * refined as round ones, which can take many times as many: as soon as those that count where
-   * points are denser take fewer, they are tried.
+   * refined as round ones, which can take many times as many: whenever those have doubled, finer
+   * creases are looked for, and tried as soon as they take fewer.
    */
   Status search(Offset number, RunControl control, ToleranceOutcome& reached)
   {
-    const Offset any = this->tolerance.mostPoints;
-    Offset& sitesForFeatures = this->request.preparation.sitesForFeatures;
-    sitesForFeatures = number;
+    this->request.preparation.sitesForFeatures = number;
     Status status = this->approach(number, control.part(0.0, 0.3));
-    for (bool goesOn = true; status.ok() && goesOn;)
+    while (status.ok())
     {
       control = control.part(0.3, 1.0);
-      const Offset few =
-        this->prepared.droppedCreases > 0 ? mostGrowth * this->result.components.count() : any;
-      status = this->refine(few, control.part(0.0, 0.2), reached);
-      if (!status.ok() || reached.how == ToleranceOutcome::Kept)
+      const Offset any = this->tolerance.mostPoints;
+      const bool looks = this->prepared.droppedCreases > 0;
+      status = this->refine(looks ? mostGrowth * this->result.components.count() : any,
+        control.part(0.0, looks ? 0.2 : 1.0), reached);
+      if (!status.ok() || reached.how == ToleranceOutcome::Kept || !looks)
       {
         return status;
       }
       FinerCreases finer;
-      status = findFinerCreases(this->request, this->outcome, reached.farCells,
-        this->tolerance.tolerance, this->options.mostCurveError, control.part(0.2, 0.22), finer);
-      const Offset taken = finer.sites > 0 ? this->numberBeside(finer.neededPoints) : any;
-      if (status.ok() && reached.how == ToleranceOutcome::TooManyPoints)
+      Offset taken = any;
+      status = this->findCreases(reached, control.silent(), finer, taken);
+      const bool goesOn = reached.how == ToleranceOutcome::TooManyPoints;
+      const Offset count = this->result.components.count();
+      if (taken >= any && status.ok())
       {
-        status = this->refine(taken, control.part(0.22, 0.25), reached);
+        if (!goesOn || count >= any)
+        {
+          return status;
+        }
+        continue;
       }
-      if (!status.ok() || finer.sites == 0 || reached.how == ToleranceOutcome::Kept)
+      if (status.ok() && goesOn && count < taken)
+      {
+        status = this->refine(taken, control.part(0.2, 0.25), reached);
+      }
+      if (!status.ok() || reached.how == ToleranceOutcome::Kept)
       {
         return status;
       }
-      const Offset before = sitesForFeatures;
-      status = this->tryCreases(finer, std::max(number, taken), control.part(0.25, 0.3), reached);
-      goesOn = sitesForFeatures != before;
+      bool kept = false;
+      status = this->tryCreases(finer, std::max(this->request.preparation.numberOfSites, taken),
+        control.part(0.25, 0.3), reached, kept);
+      if (status.ok() && !kept)
+      {
+        return reached.how == ToleranceOutcome::TooManyPoints
+          ? this->refine(any, control.part(0.3, 1.0), reached)
+          : status;
+      }
     }
-    return status.ok() ? this->refine(any, control.part(0.3, 1.0), reached) : status;
+    return status;
   }
 
   /** What was reached. A bound that was proven in refinement holds, however far this one comes. */

@@ -20,7 +20,8 @@ struct ToleranceRequest
 };
 
 /**
- * Prepares the surface for the number of points found, and makes the mesh. Tells in
+ * Prepares the surface for the number of points found, with the creases that count for it or for
+ * more, and makes the mesh. Two surfaces and meshes are held while more creases are tried. Tells in
  * `outcome.result.distance` what was reached, and by a warning in `outcome.prepared` where that is
  * not the tolerance.
  *

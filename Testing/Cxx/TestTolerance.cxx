@@ -179,6 +179,21 @@ void testShallowCreases()
   CHECK(points < 1.1 * (count * count * 8 + 4) / 0.6);
 }
 
+/** Creases that take more points than allowed are left out, and that is told. */
+void testTooManyCreases()
+{
+  constexpr int most = 150;
+  const auto filter = filterOf(polyDataOf(studs(5, 0.0125, 0.0025)), 3e-4);
+  filter->SetMaximumNumberOfPoints(most);
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty());
+  CHECK_EQUAL(messages.warnings().size(), std::size_t(1));
+  CHECK(!messages.warnings().empty() &&
+    messages.warnings()[0].find("more than the 150 points allowed") != std::string::npos);
+  CHECK(filter->GetOutput()->GetNumberOfPoints() < 1.1 * most); // of 204 corners
+}
+
 /** Creases of noise, which are everywhere, are not kept for the sake of the distance. */
 void testNoise()
 {
@@ -284,9 +299,9 @@ void testErrors()
 }
 
 /** Progress rises to 1; an abort at any part of the search leaves nothing behind. */
-void testProgressAndAbort()
+void testProgressAndAbort(const TriangleSoup& soup, double tolerance)
 {
-  const auto filter = filterOf(polyDataOf(ellipsoid(3)), 2e-3);
+  const auto filter = filterOf(polyDataOf(soup), tolerance);
   struct Watch
   {
     vtkAlgorithm* Algorithm;
@@ -333,11 +348,13 @@ int TestTolerance(int, char*[])
   testSmallCreases();
   testManyRounds();
   testShallowCreases();
+  testTooManyCreases();
   testNoise();
   testAbsolute();
   testNumberDoesNotCount();
   testImpossible();
   testErrors();
-  testProgressAndAbort();
+  testProgressAndAbort(ellipsoid(3), 2e-3);
+  testProgressAndAbort(studs(4, 0.0125, 0.0025), 3e-4); // with finer creases
   return result();
 }
