@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <new>
 #include <tuple>
 #include <utility>
 
@@ -155,15 +154,7 @@ struct NumberRun
     const auto lastFaults = this->faults();
     PreparedSurface lastPrepared = std::move(this->outcome.prepared);
     RemeshResult last = std::move(this->outcome.result);
-    Status status;
-    try
-    {
-      status = make();
-    }
-    catch (const std::bad_alloc&) // there are two or three surfaces and results now
-    {
-      status.code = StatusCode::OutOfMemory;
-    }
+    const Status status = withinMemory(make); // of two or three surfaces and results now
     if (status.code == StatusCode::Cancelled || (status.ok() && this->faults() < lastFaults))
     {
       return status;

@@ -1,11 +1,11 @@
 #include "Adaptors/ToleranceRun.h"
 
 #include "Adaptors/FinerCreases.h"
+#include "Adaptors/MemoryCheck.h"
 #include "Mesh/Extent.h"
 #include "MeshDistance.h"
 
 #include <algorithm>
-#include <new>
 #include <sstream>
 
 namespace remesh
@@ -157,22 +157,6 @@ struct ToleranceRun
       control, this->result, this->features(), reached);
   }
 
-  /** What takes more memory than there is, is left. */
-  template <class Make>
-  static Status attempt(const Make& make)
-  {
-    try
-    {
-      return make();
-    }
-    catch (const std::bad_alloc&) // there are two surfaces and results now, or more
-    {
-      Status status;
-      status.code = StatusCode::OutOfMemory;
-      return status;
-    }
-  }
-
   /**
    * Whole runs with finer creases; kept if half as many cells have a place beyond as before, with
    * no more than twice as many points.
@@ -188,12 +172,12 @@ struct ToleranceRun
     const ToleranceOutcome coarseReached = reached;
     NumberOutcome coarse = std::move(this->outcome);
     preparation.sitesForFeatures = finer.sites;
-    const Status status = attempt(
+    const Status status = withinMemory(
       [&]()
       {
         const Status made = this->approach(number, control.part(0.0, 0.9));
-        return made.ok() ? this->refine(0, control.part(0.9, 1.0), reached)
-                         : made; // looks for them
+        // No refinement: what is still far.
+        return made.ok() ? this->refine(0, control.part(0.9, 1.0), reached) : made;
       });
     const Offset most =
       std::min(mostGrowth * coarse.result.components.count(), this->tolerance.mostPoints);
@@ -217,7 +201,7 @@ struct ToleranceRun
   Status findCreases(const ToleranceOutcome& reached, const RunControl& control,
     FinerCreases& finer, Offset& taken) const
   {
-    const Status status = attempt(
+    const Status status = withinMemory(
       [&]()
       {
         return findFinerCreases(this->request, this->outcome, reached.farCells,
