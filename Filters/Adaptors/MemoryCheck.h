@@ -13,9 +13,9 @@
 namespace remesh
 {
 /**
- * @param historyLength pairs of vectors that the optimiser keeps.
- * Afterwards, the system may end the run.
+ * To be asked before a run: once it has begun, the system may end it.
  *
+ * @param historyLength pairs of vectors that the optimiser keeps.
  * @return OutOfMemory, with what is needed and what there is, where the arrays per site alone are
  *         more than the machine's memory.
  */
