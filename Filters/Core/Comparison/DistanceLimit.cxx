@@ -21,6 +21,7 @@ struct Part
 {
   std::array<Point3, 3> corners;
   Index hint;
+  bool isInside = false; ///< of a side of the hinted triangle, along which it was cut
 };
 
 /** Examines one triangle after the other; one per thread. */
@@ -63,9 +64,20 @@ public:
   }
 
 private:
-  /** Leaves the part alone or cuts it, and keeps its centroid if that is farthest so far. */
+  /**
+   * Leaves the part alone or cuts it, and keeps its centroid if that is farthest so far. What the
+   * triangle of the part it was cut from tells of it spares a search.
+   */
   void examine(const Part& part, FarPlace& far)
   {
+    if (part.hint != noIndex && this->isWithin(part.corners, part.hint))
+    {
+      return;
+    }
+    if (part.isInside && this->cutAlong(part.hint, part))
+    {
+      return;
+    }
     const Point3 centroid = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
     const TriangleTree::Place place = m_to.closest(centroid, part.hint);
     m_lastSlot = place.slot;
@@ -169,16 +181,16 @@ private:
         m_outer.push_back(crossing);
       }
     }
-    this->pushFan(m_inner, slot);
-    this->pushFan(m_outer, slot);
+    this->pushFan(m_inner, slot, true);
+    this->pushFan(m_outer, slot, false);
     return true;
   }
 
-  void pushFan(const std::vector<Point3>& polygon, Index hint)
+  void pushFan(const std::vector<Point3>& polygon, Index hint, bool isInside)
   {
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
     {
-      m_next.push_back({ { polygon[0], polygon[k], polygon[k + 1] }, hint });
+      m_next.push_back({ { polygon[0], polygon[k], polygon[k + 1] }, hint, isInside });
     }
   }
 
