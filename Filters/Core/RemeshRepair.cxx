@@ -203,7 +203,6 @@ Index repairTopology(
     : 0;
   const Offset before = wantedVertices(task.options, result, repair);
   repair.counts.extraPoints += extra;
-  repair.idleRounds = extra > 0 ? 0 : repair.idleRounds;
   const Index touched = revise(
     std::move(refinement), result.topology.certificate, before + extra, task, repair, result);
   if (touched > 0)
