@@ -88,7 +88,7 @@ std::vector<std::string> warningsOf(
       " sites have empty cells: the surface cannot hold so many points.");
   }
   const Offset extra = result.components.count() - result.wantedVertices;
-  if (hasNumber && extra > std::max(result.sites.count() / Offset(100), options.maximumExtraPoints))
+  if (hasNumber && extra > options.maximumExtraPoints)
   {
     warnings.push_back("The mesh has " + std::to_string(extra) +
       " points more than asked for, as features take so many, or so many cells "
