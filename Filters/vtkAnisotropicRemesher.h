@@ -60,8 +60,10 @@ public:
   /**
    * Number of points of the mesh, default 10000. Fewer than 4 is an error when the filter runs.
    * With `PreserveFeatures` it has as many, unless its corners and curves alone need more, or its
-   * topology does (see `MaximumNumberOfExtraPoints`). Without, this is the number of sites, and the
-   * mesh has more points where restricted cells are not connected (see `NumberOfExtraPoints`).
+   * topology does (see `MaximumNumberOfExtraPoints`), or so many cells reach several sheets of the
+   * surface that it has fewer; a warning tells the first and the last. Without, this is the number
+   * of sites, and the mesh has more points where restricted cells are not connected (see
+   * `NumberOfExtraPoints`).
    */
   vtkSetClampMacro(NumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfPoints, vtkIdType);
@@ -71,8 +73,9 @@ public:
   /**
    * How far mesh and surface may be from each other at most, both ways; then as many points are
    * taken as that needs, and `NumberOfPoints` does not count. Fraction of the bounding-box
-   * diagonal, 0 to 1, or with `DistanceToleranceIsAbsolute` (default off) in the unit of the
-   * points; at least 1e-7 of the diagonal, else an error when the filter runs. Default 0: off.
+   * diagonal, 1e-4 to 1e-2 as a rule, or with `DistanceToleranceIsAbsolute` (default off) in the
+   * unit of the points; at least 1e-7 of the diagonal, else an error when the filter runs. Default
+   * 0: off.
    *
    * The tolerance is proven to hold on all of both surfaces, not only at samples. Where it cannot
    * be kept, because it takes more than `MaximumNumberOfPoints`, or because further points do not
@@ -152,9 +155,10 @@ public:
   /**
    * By how many points the mesh may exceed `NumberOfPoints` where it cannot have the topology of
    * the surface otherwise: ONE_PERCENT (-2, default) of them, UNLIMITED (-1), or a number; 0
-   * forbids. Where features alone take more than `NumberOfPoints`, they count from there. With a
-   * tolerance, ONE_PERCENT is of the number that each run has. The field array
-   * `NumberOfExtraPoints` of port 0 tells by how many it does, for whatever reason.
+   * forbids. Each component and patch has a few at least; a warning tells of more than allowed.
+   * Where features alone take more than `NumberOfPoints`, they count from there. With a tolerance,
+   * ONE_PERCENT is of the number that each run has. The field array `NumberOfExtraPoints` of port 0
+   * tells by how many it does, for whatever reason.
    */
   vtkSetClampMacro(MaximumNumberOfExtraPoints, vtkIdType, ONE_PERCENT, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfExtraPoints, vtkIdType);

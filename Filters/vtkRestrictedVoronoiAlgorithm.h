@@ -19,19 +19,20 @@
  * A site on a feature of the surface (see vtkAnisotropicRemesher) has a copy in each patch and fan
  * around it, so that the mesh has one point for several sites: `MergedSiteId` is the lowest
  * `SiteId` among them, and the `SiteId` of port 0. `PatchId` numbers the parts of the surface that
- * features enclose. Such points lie on the feature, whatever `VertexPlacement` says.
+ * features enclose. Such points lie on the feature, whatever `VertexPlacement` says. `Weight` is
+ * that of a power diagram's site, 0: the cells are those of nearest sites.
  *
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
  * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose normal makes
  * more than 90 degrees with the surface's closest to their centre, among what their points' cells
  * meet, or whose corners are all but collinear), `NumberOfNonManifoldEdges`, `EulerCharacteristic`,
  * `TopologyPreserved`, `NumberOfExtraPoints` (points beyond those asked for, or, where sites are
- * given or features are not preserved, beyond the number of sites), `Seed`; with MeasureDistance
- * `MaximumDistance` (the largest found from mesh to surface or back; with a distance tolerance a
- * bound that no point passes) and `RMSDistance` (root of the mean of both mean squares), in the
- * unit of the points; `NormalSmoothingRadius`, the distance over which estimated normals were
- * smoothed, 0 if they were not; absent where none are estimated or none count, or passes were asked
- * for.
+ * given, features are not preserved or there is a distance tolerance, beyond the number of sites),
+ * `Seed`; with MeasureDistance `MaximumDistance` (the largest found from mesh to surface or back;
+ * with a distance tolerance a bound that no point passes) and `RMSDistance` (root of the mean of
+ * both mean squares), in the unit of the points; `NormalSmoothingRadius`, the distance over which
+ * estimated normals were smoothed, 0 if they were not; absent where none are estimated or none
+ * count, or passes were asked for.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball

@@ -115,9 +115,9 @@ void testArrays(vtkAnisotropicRemesher* filter)
   checkArrays("Surface field data", surface->GetFieldData(), 1,
     { { "NumberOfNonManifoldEdges", idType, 1, true }, { "EulerCharacteristic", idType, 1, true },
       { "NumberOfExtraPoints", idType, 1, true }, { "Seed", idType, 1, true },
-      { "Year", "vtkIntArray", 1, true }, { "NumberOfFlippedTriangles", idType, 1, false },
-      { "TopologyPreserved", idType, 1, false }, { "MaximumDistance", doubleType, 1, false },
-      { "RMSDistance", doubleType, 1, false }, { "NormalSmoothingRadius", doubleType, 1, true } });
+      { "Year", "vtkIntArray", 1, true }, { "NumberOfFlippedTriangles", idType, 1, true },
+      { "TopologyPreserved", idType, 1, true }, { "MaximumDistance", doubleType, 1, true },
+      { "RMSDistance", doubleType, 1, true }, { "NormalSmoothingRadius", doubleType, 1, true } });
 
   vtkPolyData* cells = filter->GetVoronoiCellsOutput();
   CHECK_EQUAL(cells->GetNumberOfCells(), cells->GetNumberOfPolys());

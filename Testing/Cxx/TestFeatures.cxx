@@ -19,6 +19,8 @@ namespace
 using Filter = vtkSmartPointer<vtkAnisotropicRemesher>;
 using Edge = std::pair<vtkIdType, vtkIdType>;
 
+constexpr int creaseEdges = 1; // `EdgeType`
+
 Filter remesh(
   vtkPolyData* input, vtkIdType points, double anisotropy = 0.04, const char* labels = nullptr)
 {
@@ -63,6 +65,20 @@ double lengthAlong(vtkPolyData* mesh, const std::function<bool(const Point3&)>& 
   return length;
 }
 
+/** Length of the lines of port 4 of some type. */
+double lengthOfType(vtkAnisotropicRemesher* filter, int wanted)
+{
+  vtkPolyData* edges = filter->GetEdgesOutput();
+  const auto types = arrayOf(edges->GetCellData(), "EdgeType");
+  double length = 0.0;
+  for (vtkIdType k = 0; k < edges->GetNumberOfCells(); ++k)
+  {
+    vtkCell* line = edges->GetCell(k);
+    length += types->GetComponent(k, 0) == wanted ? std::sqrt(line->GetLength2()) : 0.0;
+  }
+  return length;
+}
+
 bool near(double a, double b)
 {
   return std::abs(a - b) < 1e-9;
@@ -95,6 +111,7 @@ void testBox()
       CHECK_NEAR(areaOf(mesh), 6.0, 1e-12);
       const double kept = lengthAlong(mesh, onCubeEdge, [](int valence) { return valence == 2; });
       CHECK_NEAR(kept, 12.0, 1e-12);
+      CHECK_NEAR(lengthOfType(filter, creaseEdges), 12.0, 1e-12);
     }
   }
 }
@@ -236,6 +253,12 @@ void testThreeSheets()
     CHECK_NEAR(lengthAlong(mesh, everywhere, [](int v) { return v == 1; }), 9.0, 1e-12);
     CHECK_NEAR(lengthAlong(mesh, everywhere, [](int v) { return v > 3; }), 0.0, 1e-300);
     CHECK_NEAR(areaOf(mesh), areaOf(input), 1e-12);
+    const std::map<Edge, int> valences = valencesOf(mesh);
+    const auto nonManifold = std::count_if(
+      valences.begin(), valences.end(), [](const auto& edge) { return edge.second > 2; });
+    CHECK(nonManifold > 1);
+    const auto told = arrayOf(mesh->GetFieldData(), "NumberOfNonManifoldEdges");
+    CHECK_EQUAL(told->GetComponent(0, 0), static_cast<double>(nonManifold));
   }
 }
 
@@ -339,13 +362,7 @@ void testNoise()
   }
   const Filter filter = remesh(polyDataOf(soup), 500);
   CHECK(isClosedManifold(filter->GetOutput()));
-  const auto types = arrayOf(filter->GetEdgesOutput()->GetCellData(), "EdgeType");
-  vtkIdType creases = 0;
-  for (vtkIdType k = 0; k < types->GetNumberOfTuples(); ++k)
-  {
-    creases += types->GetComponent(k, 0) == 1.0;
-  }
-  CHECK_EQUAL(creases, 0);
+  CHECK_EQUAL(lengthOfType(filter, creaseEdges), 0.0);
 }
 
 /** Off, the cube's edges are cut across: with its points at the centroids, the mesh is smaller. */
@@ -372,21 +389,43 @@ void testTooFew()
   filter->Update();
   CHECK(messages.errors().empty());
   CHECK_EQUAL(messages.warnings().size(), std::size_t(1));
+  CHECK(
+    messages.warnings()[0].find("Corners and curves of the surface need 8") != std::string::npos);
   CHECK_EQUAL(eulerCharacteristicOf(filter->GetOutput()), 0);
 }
 
-/** The ridge of a roof, bent from point to point. */
-vtkSmartPointer<vtkPolyData> roof(const std::function<double(int)>& bend)
+/** The ridge of a roof of this slope, bent from point to point. */
+vtkSmartPointer<vtkPolyData> roof(const std::function<double(int)>& bend, double slope = 1.0)
 {
   constexpr int n = 60;
   TriangleSoup soup = gridPatch(n, n);
   for (std::size_t k = 0; k < soup.points.size(); ++k)
   {
     Point3& p = soup.points[k];
-    p[2] = -std::abs(p[0] - 0.5);
+    p[2] = -slope * std::abs(p[0] - 0.5);
     p[0] += p[2] == 0.0 ? bend(static_cast<int>(k) / (n + 1)) : 0.0;
   }
   return polyDataOf(soup);
+}
+
+/** A ridge of 45 degrees is a crease below that angle, and none above. */
+void testAngle()
+{
+  const auto straight = [](int) { return 0.0; };
+  const auto input = roof(straight, std::tan(pi / 8.0));
+  const auto onRidge = [](const Point3& p) { return near(p[2], 0.0); };
+  for (const double angle : { 44.0, 46.0 })
+  {
+    auto filter = Filter::New();
+    filter->SetInputData(input);
+    filter->SetNumberOfPoints(200);
+    filter->SetFeatureAngle(angle);
+    filter->Update();
+    const double kept =
+      lengthAlong(filter->GetOutput(), onRidge, [](int valence) { return valence == 2; });
+    CHECK_NEAR(kept, angle < 45.0 ? 1.0 : 0.0, 1e-12);
+    CHECK_NEAR(lengthOfType(filter, creaseEdges), angle < 45.0 ? 1.0 : 0.0, 1e-12);
+  }
 }
 
 /**
@@ -427,6 +466,7 @@ int TestFeatures(int, char*[])
   testNoise();
   testOff();
   testTooFew();
+  testAngle();
   testZigzag();
   return result();
 }

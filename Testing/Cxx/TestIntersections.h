@@ -38,7 +38,23 @@ inline bool pierces(const Point3& p, const Point3& q, const Corners& t)
   return (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
 }
 
-/** Pairs of triangles without a common point of which one is pierced by the other. O(T^2). */
+/** Whether an edge of one triangle that does not end in a common point pierces the other. */
+inline bool cuts(const std::vector<vtkIdType>& a, const Corners& of,
+  const std::vector<vtkIdType>& b, const Corners& other)
+{
+  const auto isCommon = [&](vtkIdType id) { return std::find(b.begin(), b.end(), id) != b.end(); };
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    if (!isCommon(a[k]) && !isCommon(a[next]) && pierces(of[k], of[next], other))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Pairs of triangles of which one is pierced by the other. O(T^2). */
 inline vtkIdType numberOfSelfIntersections(vtkPolyData* mesh)
 {
   std::vector<std::vector<vtkIdType>> triangles;
@@ -57,19 +73,9 @@ inline vtkIdType numberOfSelfIntersections(vtkPolyData* mesh)
   {
     for (std::size_t b = a + 1; b < triangles.size(); ++b)
     {
-      if (!boxes[a].intersects(boxes[b]) ||
-        std::find_first_of(triangles[a].begin(), triangles[a].end(), triangles[b].begin(),
-          triangles[b].end()) != triangles[a].end())
-      {
-        continue;
-      }
-      bool cut = false;
-      for (int k = 0; k < 3; ++k)
-      {
-        cut = cut || pierces(corners[a][k], corners[a][(k + 1) % 3], corners[b]) ||
-          pierces(corners[b][k], corners[b][(k + 1) % 3], corners[a]);
-      }
-      count += cut;
+      count += boxes[a].intersects(boxes[b]) &&
+        (cuts(triangles[a], corners[a], triangles[b], corners[b]) ||
+          cuts(triangles[b], corners[b], triangles[a], corners[a]));
     }
   }
   return count;

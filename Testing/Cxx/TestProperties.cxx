@@ -39,7 +39,8 @@ const std::vector<const char*> ofDiagrams = { "VertexPlacement", "GenerateVorono
   "NumberOfIterations", "NumberOfEvaluations", "Energy", "TopologyReport" };
 const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod", "CoarseStart",
   "Seed", "NumberOfLloydIterations", "NumberOfNewtonIterations", "HistoryLength",
-  "GradientTolerance", "EnergyTolerance", "MaximumNumberOfExtraPoints" };
+  "GradientTolerance", "EnergyTolerance", "MaximumNumberOfExtraPoints", "DistanceTolerance",
+  "DistanceToleranceIsAbsolute", "MaximumNumberOfPoints", "PreserveFeatures", "FeatureAngle" };
 
 /** Values below and above the range become its ends; what is set twice is modified once. */
 template <class Value, class Set, class Get>
@@ -154,6 +155,13 @@ void testRemesher()
   CHECK_EQUAL(filter->GetHistoryLength(), 7);
   CHECK_EQUAL(filter->GetGradientTolerance(), 0.0);
   CHECK_EQUAL(filter->GetEnergyTolerance(), 0.0);
+  CHECK_EQUAL(filter->GetNumberOfLloydIterations(), 5);
+  CHECK_EQUAL(filter->GetNumberOfNewtonIterations(), 30);
+  CHECK_EQUAL(filter->GetDistanceTolerance(), 0.0);
+  CHECK_EQUAL(filter->GetDistanceToleranceIsAbsolute(), false);
+  CHECK_EQUAL(filter->GetMaximumNumberOfPoints(), 1000000);
+  CHECK_EQUAL(filter->GetPreserveFeatures(), true);
+  CHECK_EQUAL(filter->GetFeatureAngle(), 35.0);
   testSurfaceProperties(filter);
   testDiagramProperties(filter);
   checkPrints(filter, ofRemesher);
@@ -164,6 +172,9 @@ void testRemesher()
   CHECK_CLAMPED(filter, MaximumNumberOfExtraPoints, vtkIdType(-2), vtkIdType(VTK_ID_MAX));
   CHECK_CLAMPED(filter, NumberOfLloydIterations, 0, 100000);
   CHECK_CLAMPED(filter, NumberOfNewtonIterations, 0, 100000);
+  CHECK_CLAMPED(filter, DistanceTolerance, 0.0, VTK_DOUBLE_MAX);
+  CHECK_CLAMPED(filter, MaximumNumberOfPoints, vtkIdType(4), vtkIdType(VTK_ID_MAX));
+  CHECK_CLAMPED(filter, FeatureAngle, 0.0, 180.0);
   CHECK_CLAMPED(filter, HistoryLength, 1, 100);
   CHECK_CLAMPED(filter, GradientTolerance, 0.0, 1.0);
   CHECK_CLAMPED(filter, EnergyTolerance, 0.0, 1.0);

@@ -1,6 +1,7 @@
 // The comparison of a mesh with a reference: outputs, their values by formula, bad input, threads.
 
 #include "TestBytes.h"
+#include "TestMeasures.h"
 
 #include "vtkSurfaceMeshComparison.h"
 
@@ -169,6 +170,47 @@ void testSeams()
   CHECK(summaryOf(filter, "RelativeMaximumDistanceBound") < 1e-6);
   CHECK_EQUAL(summaryOf(filter, "MaximumNormalDeviation"), 0.0);
   CHECK(filter->GetOutput()->GetPointData()->GetArray("SignedDistance") != nullptr);
+}
+
+/** Three sheets on a line, two cones that touch in a tip, and a triangle that is there twice. */
+void testNoManifold()
+{
+  TriangleSoup soup = threeSheets();
+  const TriangleSoup tip =
+    makeSoup({ { 0, 0, 5 }, { 1, 0, 5 }, { 0, 1, 5 }, { -1, 0, 5 }, { 0, -1, 5 } },
+      { { 0, 1, 2 }, { 0, 3, 4 } });
+  append(soup, tip, Point3::Zero());
+  const auto last = soup.triangles.back();
+  soup.triangles.push_back(last);
+  soup.inputCells.push_back(static_cast<Offset>(soup.inputCells.size()));
+  const auto mesh = polyDataOf(soup);
+  const auto filter = compare(mesh, nullptr);
+  filter->Update();
+  int nonManifold = 0;
+  int edges = 0;
+  std::map<std::pair<vtkIdType, vtkIdType>, int> valences;
+  for (const auto& [edge, count] : directedEdgesOf(mesh))
+  {
+    valences[std::minmax(edge.first, edge.second)] += count;
+  }
+  for (const auto& [edge, valence] : valences)
+  {
+    ++edges;
+    nonManifold += valence > 2;
+  }
+  CHECK(nonManifold > 0);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfEdges"), edges);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfNonManifoldEdges"), nonManifold);
+  CHECK(summaryOf(filter, "NumberOfNonManifoldPoints") >= 1.0);
+  CHECK_EQUAL(summaryOf(filter, "NumberOfDuplicateTriangles"), 1.0);
+  CHECK_EQUAL(summaryOf(filter, "IsConsistentlyOriented"), 0.0);
+
+  const auto sphere = compare(polyDataOf(icosphere(2)), nullptr);
+  sphere->Update();
+  CHECK_EQUAL(summaryOf(sphere, "NumberOfNonManifoldEdges"), 0.0);
+  CHECK_EQUAL(summaryOf(sphere, "IsConsistentlyOriented"), 1.0);
+  CHECK(summaryOf(sphere, "LeastMinimumAngle") > 50.0);
+  CHECK(summaryOf(sphere, "LeastMinimumAngle") < summaryOf(sphere, "MeanMinimumAngle"));
 }
 
 void testWithoutReference()
@@ -405,6 +447,7 @@ int TestSurfaceMeshComparison(int, char*[])
   testFaults();
   testSeams();
   testWithoutReference();
+  testNoManifold();
   testOtherCells();
   testErrors();
   testExecution();

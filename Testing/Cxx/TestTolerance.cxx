@@ -96,6 +96,17 @@ void testBox()
   CHECK(checkKept(polyDataOf(soup), 1e-4) < 100);
 }
 
+/** A round sheet that few points follow that closely. */
+void testFine()
+{
+  TriangleSoup soup = gridPatch(30, 30);
+  for (Point3& p : soup.points)
+  {
+    p[2] = 0.03 * p[0] * p[0];
+  }
+  CHECK(checkKept(polyDataOf(soup), 1e-4) < 400);
+}
+
 /** Few, flat sides that meet in a tip, all without creases: far places wander from cell to cell. */
 void testTips()
 {
@@ -344,6 +355,7 @@ int TestTolerance(int, char*[])
 {
   testSphere();
   testBox();
+  testFine();
   testTips();
   testSmallCreases();
   testManyRounds();

@@ -162,6 +162,31 @@ void testExtraPoints()
   }
 }
 
+/**
+ * Spheres need four points each, so these two more than asked for: one percent allows three. Where
+ * fewer are allowed, it is told.
+ */
+void testOnePercent()
+{
+  TriangleSoup soup;
+  for (int k = 0; k < 100; ++k)
+  {
+    append(soup, icosphere(1), Point3(3.0 * (k % 10), 3.0 * std::floor(k / 10), 0.0));
+  }
+  for (const vtkIdType most : { vtkIdType(vtkAnisotropicRemesher::ONE_PERCENT), vtkIdType(1) })
+  {
+    const auto filter = remesherOf(soup, 398);
+    filter->SetMaximumNumberOfExtraPoints(most);
+    filter->MeasureDistanceOff(); // tetrahedra are far from spheres
+    Messages messages(filter);
+    filter->Update();
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 400);
+    CHECK_EQUAL(factOf(filter, "NumberOfExtraPoints"), 2.0);
+    CHECK(isPreserved(filter));
+    CHECK_EQUAL(messages.warnings().size(), std::size_t(most < 0 ? 0 : 1));
+  }
+}
+
 /** A sheet, rolled up in six turns. */
 TriangleSoup roll()
 {
@@ -223,6 +248,7 @@ int TestTopology(int, char*[])
   testMoebiusStrip();
   testThreeSheets();
   testExtraPoints();
+  testOnePercent();
   testManySheets();
   testGivenSites();
   return result();

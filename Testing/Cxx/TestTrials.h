@@ -63,6 +63,13 @@ inline Trial keepingMesh(
   {
     CHECK_EQUAL(trial.value(kept), trial.value(std::string("Reference") + kept));
   }
+  const double nonManifold = trial.value("NumberOfNonManifoldEdges");
+  CHECK_EQUAL(nonManifold > 0.0, trial.value("ReferenceNumberOfNonManifoldEdges") > 0.0);
+  const auto fact = [&](const char* name)
+  { return arrayOf(trial.mesh->GetFieldData(), name)->GetComponent(0, 0); };
+  CHECK_EQUAL(fact("NumberOfNonManifoldEdges"), nonManifold);
+  CHECK_EQUAL(fact("NumberOfFlippedTriangles"), 0.0);
+  CHECK_EQUAL(fact("TopologyPreserved"), nonManifold > 0.0 ? 0.0 : 1.0);
   return trial;
 }
 

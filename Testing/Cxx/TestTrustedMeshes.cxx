@@ -61,6 +61,7 @@ void testTube()
     const Trial trial = checkedMesh(surface, 400, anisotropy);
     CHECK_NEAR(borderRatio(trial, surface), 1.0, 1e-2);
     CHECK(trial.value("RelativeRMSDistance") < 2e-3);
+    CHECK_NEAR(borderRatio(keepingMesh(surface, 2000, anisotropy), surface), 1.0, 1e-3);
   }
 }
 

@@ -83,7 +83,11 @@ void testFlipped()
   source->Update();
   const auto input = vtkSmartPointer<vtkPolyData>::New();
   input->CopyStructure(source->GetOutput());
-  checkWarning("Kuen's surface", remesherOf(input, 2000), "the surface the wrong way");
+  const auto filter = remesherOf(input, 2000);
+  checkWarning("Kuen's surface", filter, "the surface the wrong way");
+  const auto flipped = arrayOf(filter->GetOutput()->GetFieldData(), "NumberOfFlippedTriangles");
+  const vtkIdType count = static_cast<vtkIdType>(flipped->GetComponent(0, 0));
+  CHECK(count > 0);
 }
 
 /** A sphere with spikes that a few points cannot follow. */

@@ -10,7 +10,9 @@
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -77,6 +79,47 @@ void checkPolyData(vtkPolyData* data)
   }
 }
 
+double fact(vtkAnisotropicRemesher* filter, const char* name)
+{
+  vtkDataArray* array = filter->GetOutput()->GetFieldData()->GetArray(name);
+  FUZZ_CHECK(array != nullptr && array->GetNumberOfTuples() == 1);
+  return array->GetComponent(0, 0);
+}
+
+/** What the field data tell of the mesh, counted. */
+void checkFacts(vtkAnisotropicRemesher* filter)
+{
+  vtkPolyData* mesh = filter->GetOutput();
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
+  std::set<vtkIdType> used;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfCells(); ++t)
+  {
+    mesh->GetCellPoints(t, corners);
+    for (int k = 0; k < 3; ++k)
+    {
+      used.insert(corners->GetId(k));
+      ++edges[std::minmax(corners->GetId(k), corners->GetId((k + 1) % 3))];
+    }
+  }
+  const auto nonManifold =
+    std::count_if(edges.begin(), edges.end(), [](const auto& edge) { return edge.second > 2; });
+  const auto euler = static_cast<double>(used.size()) - static_cast<double>(edges.size()) +
+    static_cast<double>(mesh->GetNumberOfCells());
+  FUZZ_CHECK(fact(filter, "NumberOfNonManifoldEdges") == static_cast<double>(nonManifold));
+  FUZZ_CHECK(fact(filter, "EulerCharacteristic") == euler);
+  const bool preserved = fact(filter, "TopologyPreserved") == 1.0;
+  FUZZ_CHECK(preserved == std::string(filter->GetTopologyReport()).empty());
+  FUZZ_CHECK(!preserved ||
+    (nonManifold == 0 && static_cast<vtkIdType>(used.size()) == mesh->GetNumberOfPoints()));
+  const double flipped = fact(filter, "NumberOfFlippedTriangles");
+  FUZZ_CHECK(flipped >= 0.0 && flipped <= static_cast<double>(mesh->GetNumberOfCells()));
+  vtkFieldData* facts = mesh->GetFieldData(); // no distances of a mesh without area
+  FUZZ_CHECK(!facts->HasArray("MaximumDistance") == !facts->HasArray("RMSDistance"));
+  FUZZ_CHECK(!facts->HasArray("MaximumDistance") ||
+    (fact(filter, "MaximumDistance") >= 0.0 && fact(filter, "RMSDistance") >= 0.0));
+}
+
 void checkOutputs(vtkAnisotropicRemesher* filter, vtkIdType sites)
 {
   for (const int port :
@@ -91,7 +134,14 @@ void checkOutputs(vtkAnisotropicRemesher* filter, vtkIdType sites)
     vertices.insert(merged->GetComponent(i, 0));
     FUZZ_CHECK(merged->GetComponent(i, 0) <= static_cast<double>(i));
   }
-  FUZZ_CHECK(filter->GetPreserveFeatures() || static_cast<vtkIdType>(vertices.size()) == sites);
+  if (!filter->GetPreserveFeatures() && filter->GetDistanceTolerance() == 0.0)
+  {
+    const vtkIdType added = static_cast<vtkIdType>(vertices.size()) - sites;
+    const vtkIdType most = filter->GetMaximumNumberOfExtraPoints(); // one percent is none
+    FUZZ_CHECK(
+      added >= 0 && (most == Algorithm::UNLIMITED || added <= std::max(most, vtkIdType(0))));
+  }
+  checkFacts(filter);
   for (const char* name : { "CellArea", "CellMass", "CellEnergy" })
   {
     const double total = sumOf(filter->GetSitesOutput()->GetPointData(), name);
@@ -133,6 +183,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   filter->SetFeatureAngle(bytes.below(2) > 0 ? 35.0 : 90.0);
   filter->SetSeed(bytes.below(256));
   filter->SetMergeTolerance(bytes.below(4) == 0 ? 0.05 : 0.0);
+  filter->SetVertexPlacement(bytes.below(8)); // the default from 3
+  filter->SetMaximumNumberOfExtraPoints(bytes.below(4) - 2);
+  filter->SetNormalSmoothingPasses(bytes.below(4) - 1);
+  filter->SetDistanceTolerance(bytes.below(16) == 0 ? 0.05 : 0.0);
+  filter->SetMaximumNumberOfPoints(60);
   filter->SetInputData(fuzz::polyData(bytes, 24, 32, bytes.below(8) == 0));
 
   std::vector<std::string> errors;

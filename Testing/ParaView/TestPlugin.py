@@ -1,8 +1,10 @@
 """TestPlugin.py PLUGIN OUTPUT_FOLDER (pvbatch): the three filters through the plugin.
 
 The XML agrees with the C++ classes (defaults, ranges, nothing left out), the five outputs have
-their names and arrays, and array selection, the second input and rendering work.
+their names and arrays, and array selection, features, placement, the second input and rendering
+work.
 """
+import math
 import os
 import sys
 
@@ -92,6 +94,17 @@ def total(array):
     return sum(array.GetTuple1(i) for i in range(array.GetNumberOfTuples()))
 
 
+def number_of_creases(source):
+    """Lines of port 4 along creases and borders of labels that are kept."""
+    types = fetch(source, 4).GetCellData().GetArray("EdgeType")
+    return sum(types.GetTuple1(i) == 1 for i in range(types.GetNumberOfTuples()))
+
+
+def mean_radius(points):
+    count = points.GetNumberOfPoints()
+    return sum(math.hypot(*points.GetPoint(i)) for i in range(count)) / count
+
+
 sphere = Sphere(ThetaResolution=40, PhiResolution=40)
 sphere.UpdatePipeline() # array properties choose their default from what the input has
 
@@ -151,6 +164,33 @@ weights = Calculator(Input=elevation, ResultArrayName="Weight", Function="1 + 15
 dense = AnisotropicRemesher(Input=weights, NumberOfPoints=100, Density="Weight")
 surface, _, _ = check_diagram(dense, 100)
 assert "CellWeightedMass" in names(surface.GetPointData()), names(surface.GetPointData())
+
+# Features: the sides of a box, which are bent by 90 degrees, and the line between two labels.
+quick = {"NumberOfPoints": 100, "NewtonIterations": 3, "MeasureDistance": 0}
+box = AnisotropicRemesher(Input=Box(), **quick)
+for box.FeatureAngle, box.PreserveFeatures, kept in ((89, 1, True), (91, 1, False), (89, 0, False)):
+    assert (number_of_creases(box) > 0) == kept, (box.FeatureAngle, box.PreserveFeatures)
+halves = GenerateIds(Input=Plane(XResolution=2), CellIdsArrayName="Half")
+labelled = AnisotropicRemesher(Input=halves, **quick)
+assert labelled.FeatureLabelArray == "None", labelled.FeatureLabelArray
+for labelled.FeatureLabelArray, kept in (("Half", True), ("None", False)):
+    assert (number_of_creases(labelled) > 0) == kept, labelled.FeatureLabelArray
+
+# Points that the topology needs: four are no torus, nor are five.
+torus = Superquadric(Toroidal=1)
+ring = AnisotropicRemesher(Input=torus, NumberOfPoints=4, MergeTolerance=1e-6, MeasureDistance=0)
+for ring.MaximumExtraPoints, enough in ((200, True), (1, False)):
+    facts = fetch(ring).GetFieldData()
+    extra = facts.GetArray("NumberOfExtraPoints").GetTuple1(0)
+    assert (extra > 1) == enough, (ring.MaximumExtraPoints, extra)
+    assert facts.GetArray("TopologyPreserved").GetTuple1(0) == enough
+
+# Placement: on a sphere, the mean radius tells all four apart.
+ball = AnisotropicRemesher(Input=sphere, **quick)
+radii = []
+for ball.VertexPlacement in ("Centroid", "Surface Point", "Quadric", "Fit"):
+    radii.append(mean_radius(fetch(ball)))
+assert radii[0] < radii[1] < min(radii[2:]) and radii[2] != radii[3], radii
 
 # Vectors that are no normals are not taken for them.
 bare = Calculator(Input=ExtractSurface(Input=Wavelet()), ResultArrayName="Displacement",

@@ -83,13 +83,26 @@ class TestUsage(CommandLineTest):
         self.assertGreater(len(in_help), 20)
         self.assertEqual(sorted(in_help), sorted(in_manual))
         self.assertLessEqual(max(map(len, result.stdout.splitlines())), 100)
-        # Defaults are the same, too.
-        for name in ("points", "lloyd", "anisotropy", "normal\\-smoothing"):
-            plain = name.replace("\\", "")
-            default = re.search(rf"--{plain} .*?Default\s+(-?[\d.]*\d)", result.stdout, re.DOTALL)
-            section = re.search(rf"^\.BI \\-\\-{re.escape(name)} .*?Default (\\?-?[\d.]*\d)",
-                                manual, re.DOTALL | re.MULTILINE)
-            self.assertEqual(default[1], section[1].replace("\\", ""), name)
+
+    def test_defaults(self):
+        # Help and man page tell those that the program has, each among what it says of its option.
+        in_help = re.split(r"^  --", self.run_program("--help").stdout, flags=re.MULTILINE)
+        with open(MAN_PAGE, encoding="utf-8") as file:
+            manual = file.read().replace("\\-", "-")
+        in_manual = re.split(r"^\.BI? --", manual, flags=re.MULTILINE)
+        self.succeed(self.input(), "s.vtp", *SMALL)
+        self.succeed(self.input(), "out.vtp", "--initial-sites", "s.vtp", "--report", "r.json")
+        with open(self.path("r.json"), encoding="utf-8") as file:
+            used = json.load(file)["parameters"]
+        for name in ("points", "tolerance", "anisotropy", "feature-angle", "max-extra-points",
+                     "lloyd", "newton", "seed", "sampling", "threads", "backend",
+                     "normal-smoothing", "merge-tolerance", "placement"):
+            with self.subTest(name=name):
+                expected = str(used[name.replace("-", "_")])
+                for text in (in_help, in_manual):
+                    section, = (part for part in text if re.match(rf"{name}\s", part))
+                    found = re.findall(r"Default\s+(-?[\d.]*\d)|(\w+)\s+\(default\)", section)
+                    self.assertEqual(["".join(pair) for pair in found], [expected])
 
     def test_version(self):
         result = self.run_program("--version")
