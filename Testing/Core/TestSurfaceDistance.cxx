@@ -161,6 +161,29 @@ void testBound()
   CHECK(same.maximumBound() <= 0.01);
 }
 
+/** Two ways to cut up the sides of a box: soon known to be nowhere away from each other. */
+void testFlatSides()
+{
+  TriangleSoup turned;
+  for (const double z : { 0.0, 1.0 })
+  {
+    append(turned, gridPatch(17, 13, { 0.0, 0.0, z }), Point3::Zero());
+    append(turned, turnedAroundY(gridPatch(7, 19), 90.0), Point3(z, 0.0, 0.0));
+  }
+  TriangleSoup plain;
+  for (const double z : { 0.0, 1.0 })
+  {
+    append(plain, gridPatch(5, 6, { 0.0, 0.0, z }), Point3::Zero());
+    append(plain, turnedAroundY(gridPatch(11, 3), 90.0), Point3(z, 0.0, 0.0));
+  }
+  DistanceOptions options = quick();
+  options.negligible = 1e-7;
+  options.maximumParts = 50000;
+  const TwoSidedDistance distance = distanceOf(turned, plain, options);
+  CHECK_NEAR(distance.maximum(), 0.0, 1e-14);
+  CHECK(distance.maximumBound() <= 1e-7);
+}
+
 void testFailures()
 {
   const Surface good(cube());
@@ -270,6 +293,7 @@ int TestSurfaceDistance(int, char*[])
   testFewSamples();
   testSpheres();
   testBound();
+  testFlatSides();
   testFailures();
   testNormals();
   testSchedules();

@@ -64,6 +64,7 @@ vtkIdType checkKept(vtkPolyData* input, double tolerance, double featureAngle = 
   const double limit = tolerance * diagonalOf(input);
   const Point3 found = comparison(filter->GetOutput(), input);
   CHECK(found[0] <= limit);
+  CHECK(found[1] <= limit * 1.01); // a bound, good to a hundredth
   CHECK(fact(filter, "MaximumDistance") <= limit);
   CHECK(fact(filter, "MaximumDistance") >= found[0] * (1.0 - 1e-9));
   CHECK(fact(filter, "NormalSmoothingRadius") >= 0.0); // for a number that was not asked for

@@ -1,5 +1,6 @@
 #include "Comparison/DistanceLimit.h"
 
+#include "Comparison/SurfaceParts.h"
 #include "Mesh/FacetGeometry.h"
 #include "Support/Parallel.h"
 
@@ -11,18 +12,8 @@ namespace remesh
 namespace
 {
 constexpr double farShare = 0.95; // of the limit
-constexpr double overlap = 0.01;  // of the limit, of parts beyond triangles, for no slivers
-constexpr double mostSize = 4.0;  // of a part that is cut along a triangle, squared
-constexpr double leastCosine = 0.8;
 constexpr std::size_t mostParts = 1000000;
 constexpr std::size_t partsBetweenQuestions = 4096;
-
-struct Part
-{
-  std::array<Point3, 3> corners;
-  Index hint;
-  bool isInside = false; ///< of a side of the hinted triangle, along which it was cut
-};
 
 /** Examines one triangle after the other; one per thread. */
 class Examiner
@@ -32,6 +23,7 @@ public:
     : m_to(to)
     , m_limit(limit)
     , m_control(control)
+    , m_cutter(to, limit)
   {
   }
 
@@ -44,7 +36,7 @@ public:
     {
       m_next.clear();
       far.distance = -1.0;
-      for (const Part& part : m_open)
+      for (const SurfacePart& part : m_open)
       {
         this->examine(part, far);
         ++examined;
@@ -68,17 +60,17 @@ private:
    * Leaves the part alone or cuts it, and keeps its centroid if that is farthest so far. What the
    * triangle of the part it was cut from tells of it spares a search.
    */
-  void examine(const Part& part, FarPlace& far)
+  void examine(const SurfacePart& part, FarPlace& far)
   {
     if (part.hint != noIndex && this->isWithin(part.corners, part.hint))
     {
       return;
     }
-    if (part.isInside && this->cutAlong(part.hint, part))
+    if (part.isInside && m_cutter.cutAlong(part.hint, part, m_next))
     {
       return;
     }
-    const Point3 centroid = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
+    const Point3 centroid = part.centroid();
     const TriangleTree::Place place = m_to.closest(centroid, part.hint);
     m_lastSlot = place.slot;
     const double distance = std::sqrt(place.at.squared);
@@ -87,23 +79,10 @@ private:
       far.place = centroid;
       far.distance = distance;
     }
-    double reach = 0.0;
-    for (const Point3& corner : part.corners)
+    if (distance + part.reach() > m_limit && !this->isWithin(part.corners, place.slot))
     {
-      reach = std::max(reach, (corner - centroid).squaredNorm());
+      m_cutter.cut(place.slot, part, m_next);
     }
-    if (distance + std::sqrt(reach) > m_limit && !this->isWithin(part.corners, place.slot) &&
-      !this->cutAlong(place.slot, part))
-    {
-      this->cutIntoFour(place.slot, part);
-    }
-  }
-
-  /** The square of a triangle's longest edge. */
-  static double squaredSize(const std::array<Point3, 3>& corners)
-  {
-    const auto& [a, b, c] = corners;
-    return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
   }
 
   /** Whether a part is within the limit of a triangle, a convex set. */
@@ -114,105 +93,12 @@ private:
       { return m_to.closestOn(slot, corner).at.squared <= m_limit * m_limit; });
   }
 
-  /**
-   * Cuts a part along that side of the prism over a triangle which it sticks out from most: what is
-   * inside has one side less to stick out from. False for parts that are much larger than the
-   * triangle, lean against it, or do not stick out.
-   */
-  bool cutAlong(Index slot, const Part& part)
-  {
-    const std::array<Point3, 3> t = m_to.cornersOf(slot);
-    const Point3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-    const auto& [a, b, c] = part.corners;
-    const Point3 own = (b - a).cross(c - a);
-    if (squaredSize(part.corners) > mostSize * squaredSize(t) ||
-      std::abs(own.dot(normal)) < leastCosine * own.norm() * normal.norm())
-    {
-      return false;
-    }
-    double lowest = -overlap * m_limit;
-    Point3 origin = t[0];
-    Point3 inwards = Point3::Zero();
-    for (int k = 0; k < 3; ++k)
-    {
-      const Point3 side = normal.cross(t[(k + 1) % 3] - t[k]).normalized();
-      for (const Point3& corner : part.corners)
-      {
-        if (const double height = (corner - t[k]).dot(side); height < 2.0 * lowest)
-        {
-          lowest = 0.5 * height;
-          origin = t[k];
-          inwards = side;
-        }
-      }
-    }
-    return inwards.squaredNorm() > 0.0 && this->cut(part, slot, origin, inwards);
-  }
-
-  /**
-   * Cuts a part by a plane, moved outwards by the overlap. Corners a tenth of that beyond are
-   * inside still, as those that earlier cuts made are. False if nothing is truly inside.
-   */
-  bool cut(const Part& part, Index slot, const Point3& origin, const Point3& inwards)
-  {
-    const double shift = overlap * m_limit;
-    std::array<double, 3> heights{};
-    for (int k = 0; k < 3; ++k)
-    {
-      heights[k] = (part.corners[k] - origin).dot(inwards);
-    }
-    if (!(*std::max_element(heights.begin(), heights.end()) > 0.0))
-    {
-      return false;
-    }
-    const auto isInside = [&](int k) { return heights[k] >= -1.1 * shift; };
-    m_inner.clear();
-    m_outer.clear();
-    for (int k = 0; k < 3; ++k)
-    {
-      const int next = (k + 1) % 3;
-      (isInside(k) ? m_inner : m_outer).push_back(part.corners[k]);
-      if (isInside(k) != isInside(next))
-      {
-        const double along = (heights[k] + shift) / (heights[k] - heights[next]);
-        const Point3 crossing =
-          part.corners[k] + std::clamp(along, 0.0, 1.0) * (part.corners[next] - part.corners[k]);
-        m_inner.push_back(crossing);
-        m_outer.push_back(crossing);
-      }
-    }
-    this->pushFan(m_inner, slot, true);
-    this->pushFan(m_outer, slot, false);
-    return true;
-  }
-
-  void pushFan(const std::vector<Point3>& polygon, Index hint, bool isInside)
-  {
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-    {
-      m_next.push_back({ { polygon[0], polygon[k], polygon[k + 1] }, hint, isInside });
-    }
-  }
-
-  void cutIntoFour(Index hint, const Part& part)
-  {
-    const auto& [a, b, c] = part.corners;
-    const Point3 ab = 0.5 * (a + b);
-    const Point3 bc = 0.5 * (b + c);
-    const Point3 ca = 0.5 * (c + a);
-    m_next.push_back({ { a, ab, ca }, hint });
-    m_next.push_back({ { ab, b, bc }, hint });
-    m_next.push_back({ { ca, bc, c }, hint });
-    m_next.push_back({ { bc, ca, ab }, hint });
-  }
-
   const TriangleTree& m_to;
   double m_limit;
   const RunControl& m_control;
-  std::vector<Part> m_open;
-  std::vector<Part> m_next;
-  std::vector<Point3> m_inner; // polygons
-  std::vector<Point3> m_outer;
+  PartCutter m_cutter;
+  std::vector<SurfacePart> m_open;
+  std::vector<SurfacePart> m_next;
   Index m_lastSlot = noIndex;
 };
 }

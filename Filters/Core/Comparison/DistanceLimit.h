@@ -23,8 +23,8 @@ struct FarPlace
  * is further than `limit` from the other one (up to rounding).
  *
  * Bounds are those of MaximumBound.h, but each triangle is examined by itself, against the limit.
- * Parts are cut along a side of the triangle that is closest to their centroid, so that flat
- * regions soon lie within one triangle each, or into four. That goes on until all bounds are below
+ * Parts are cut along a side of the triangle that is closest to their centroid, or into four
+ * (SurfaceParts.h). That goes on until all bounds are below
  * the limit, or the distance at the centroid of a part is above 95 % of it: then the worst part of
  * that step is the triangle's place. So a triangle within 95 % of the limit is never told, one
  * beyond the limit always. Triangles that take more than a million parts are told, too.

@@ -1,5 +1,6 @@
 #include "Comparison/MaximumBound.h"
 
+#include "Comparison/SurfaceParts.h"
 #include "Mesh/FacetGeometry.h"
 #include "Support/Grouping.h"
 
@@ -10,13 +11,12 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostLevels = 30; ///< halvings of a triangle's edges
+constexpr int mostLevels = 60; ///< halvings of a triangle's edges, or cuts
+constexpr Offset mostPieces = 4;
 
-struct Part
+struct Part : SurfacePart
 {
-  std::array<Point3, 3> corners;
   double bound; ///< of the distance on this part
-  Index hint;
 };
 
 /** The state of the search, from level to level. */
@@ -35,18 +35,15 @@ struct Search
   /** Bounds one part; returns the distance of its centroid. */
   double examine(Part& part) const
   {
-    const Point3 centroid = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
-    const TriangleTree::Place place = this->to.closest(centroid, part.hint);
+    const TriangleTree::Place place = this->to.closest(part.centroid(), part.hint);
     const double distance = std::sqrt(place.at.squared);
-    double reach = 0.0;
     double convex = 0.0;
     for (const Point3& corner : part.corners)
     {
-      reach = std::max(reach, (corner - centroid).squaredNorm());
       convex = std::max(convex, this->to.closestOn(place.slot, corner).at.squared);
     }
     part.hint = place.slot;
-    part.bound = std::min({ part.bound, distance + std::sqrt(reach), std::sqrt(convex) });
+    part.bound = std::min({ part.bound, distance + part.reach(), std::sqrt(convex) });
     return distance;
   }
 };
@@ -84,7 +81,7 @@ bool examineTriangles(
         from.count(), control,
         [&](Offset t)
         {
-          Part part{ from.corners(t), std::numeric_limits<double>::infinity(), noIndex };
+          Part part{ { from.corners(t) }, std::numeric_limits<double>::infinity() };
           if (!hasArea(part.corners[0], part.corners[1], part.corners[2]))
           {
             return 0.0;
@@ -103,7 +100,7 @@ bool examineTriangles(
   {
     if (bounds[t] > target)
     {
-      open.push_back({ from.corners(static_cast<Offset>(t)), bounds[t], hints[t] });
+      open.push_back({ { from.corners(static_cast<Offset>(t)), hints[t] }, bounds[t] });
     }
     else
     {
@@ -140,22 +137,22 @@ void settle(std::vector<Part>& open, Offset most, Search& search)
   open.erase(end, open.end());
 }
 
-std::vector<Part> cutIntoFour(const std::vector<Part>& open)
+std::vector<Part> cutAll(const std::vector<Part>& open, const Search& search)
 {
-  std::vector<Part> parts;
-  parts.reserve(4 * open.size());
+  PartCutter cutter(search.to, search.target());
+  std::vector<Part> cut;
+  cut.reserve(mostPieces * open.size());
+  std::vector<SurfacePart> pieces;
   for (const Part& part : open)
   {
-    const auto& [a, b, c] = part.corners;
-    const Point3 ab = 0.5 * (a + b);
-    const Point3 bc = 0.5 * (b + c);
-    const Point3 ca = 0.5 * (c + a);
-    parts.push_back({ { a, ab, ca }, part.bound, part.hint });
-    parts.push_back({ { ab, b, bc }, part.bound, part.hint });
-    parts.push_back({ { ca, bc, c }, part.bound, part.hint });
-    parts.push_back({ { bc, ca, ab }, part.bound, part.hint });
+    pieces.clear();
+    cutter.cut(part.hint, part, pieces);
+    for (const SurfacePart& piece : pieces)
+    {
+      cut.push_back({ piece, part.bound });
+    }
   }
-  return parts;
+  return cut;
 }
 }
 
@@ -171,12 +168,12 @@ Status boundMaximum(const Triangles& from, const TriangleTree& to, const Distanc
   Offset budget = options.maximumParts;
   for (int level = 0; level < mostLevels; ++level)
   {
-    settle(open, budget / 4, search);
+    settle(open, budget / mostPieces, search);
     if (open.empty())
     {
       break;
     }
-    open = cutIntoFour(open);
+    open = cutAll(open, search);
     budget -= static_cast<Offset>(open.size());
     if (!examineAll(
           static_cast<Offset>(open.size()), control.silent(),

@@ -18,8 +18,8 @@ namespace remesh
  * - max d(p_k, t), as the distance to a convex set is convex.
  *
  * Parts that could be further away than the target, (1 + boundTolerance) times the largest distance
- * found, are cut into four, until none is left or `maximumParts` were looked at; where there are
- * too many, those that could be furthest go first. The bound holds at whatever point it ends.
+ * found, are cut (SurfaceParts.h), until none is left or `maximumParts` were looked at; where there
+ * are too many, those that could be furthest go first. The bound holds at whatever point it ends.
  *
  * @param distance `maximum` is where the search begins; it may grow. `maximumBound` is set, to at
  *        least `maximum`.
