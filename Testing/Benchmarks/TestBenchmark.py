@@ -123,6 +123,19 @@ def slowed(result, case, factor):
     return other
 
 
+def with_runs_over_plain(result, factor):
+    """The same result, but runs take so many times the plain ones' time."""
+    other = copy.deepcopy(result)
+    cases = {case["name"]: case for case in other["cases"]}
+    for name, case in cases.items():
+        plain = cases.get(name.replace("run-", "plain-")) if name.startswith("run-") else None
+        if plain:
+            for one, base in zip(case["measurements"], plain["measurements"]):
+                one["figures"]["processor"]["value"] = (
+                    factor * base["figures"]["processor"]["value"])
+    return other
+
+
 def on_machine(result, factor):
     """The same result from a machine that takes `factor` times as long for anything."""
     other = copy.deepcopy(result)
@@ -158,6 +171,11 @@ def check_compare(result, work):
         check(compare(same, path, "--threshold", "1.1")[0] == 2, "wrong:", str(wrong)[:40])
     check(compare(same, os.path.join(work, "none.json"))[0] == 2, "no file")
     check(compare(same)[0] == 2, "one file")
+    doubled = write(os.path.join(work, "doubled.json"), with_runs_over_plain(result, 2.0))
+    status, out, _ = compare("--plain", doubled, "--threshold", "1.5")
+    check(status == 1 and out.count("  WORSE") == out.count("\nrun-") >= 1 and
+          "  2.000" in out and "plain-" not in out, "plain", status, out)
+    check(compare("--plain", doubled, "--threshold", "2.5")[0] == 0, "a cost within the threshold")
     status, out, _ = compare("--markdown", same)
     check(status == 0 and out.count("\n| evaluation |") == 5 and "exponent" in out, out)
 

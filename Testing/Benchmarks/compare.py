@@ -5,6 +5,8 @@
     compare.py --pairs N OLD NEW [-- OPTION...]
                                           two programs remesh_benchmark: runs both N times, by
                                           turns, with these options; medians of the ratios count
+    compare.py --plain FILE.json          what a result's runs cost on top of plain ones: without
+                                          features, placement and distances
     compare.py --markdown FILE.json       a table for a document
 
 Ratios are new to old: below 1 is better. Seconds of files are compared relative to the calibration
@@ -83,6 +85,15 @@ def compare_programs(arguments):
         for key, ratio in ratios(result[0], result[1], True).items():
             collected.setdefault(key, []).append(ratio)
     return result[0], result[1], collected
+
+
+def compare_with_plain(arguments):
+    figures = load(read(arguments.results[0]), arguments.results[0])
+    plain, whole = ({("run" + key[0][len(kind):], *key[1:]): figure
+                     for key, figure in figures.items()
+                     if key[0].startswith(kind + "-") and key[-1] == "processor"}
+                    for kind in ("plain", "run"))
+    return plain, whole, {key: [ratio] for key, ratio in ratios(plain, whole, True).items()}
 
 
 def report(old, new, collected, arguments):
@@ -169,6 +180,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", nargs="+", metavar="FILE")
     parser.add_argument("--pairs", type=int, metavar="N")
+    parser.add_argument("--plain", action="store_true")
     parser.add_argument("--markdown", action="store_true")
     parser.add_argument("--raw", action="store_true", help="seconds of files as they are")
     parser.add_argument("--all", action="store_true", help="print the parts, too")
@@ -177,15 +189,16 @@ def main():
     options = words[words.index("--") + 1:] if "--" in words else []
     arguments = parser.parse_args(words[:words.index("--")] if "--" in words else words)
     arguments.options = options
-    if len(arguments.results) != (1 if arguments.markdown else 2):
-        parser.error("one file for a table, else two")
+    if len(arguments.results) != (1 if arguments.markdown or arguments.plain else 2):
+        parser.error("one file for a table or --plain, else two")
     if arguments.pairs is not None and arguments.pairs < 1:
         parser.error("--pairs needs at least 1")
     try:
         if arguments.markdown:
             markdown(arguments.results[0])
             return 0
-        compared = (compare_programs if arguments.pairs else compare_files)(arguments)
+        compared = (compare_with_plain if arguments.plain else
+                    compare_programs if arguments.pairs else compare_files)(arguments)
         return 1 if report(*compared, arguments) else 0
     except Unusable as error:
         print("compare.py:", error, file=sys.stderr)

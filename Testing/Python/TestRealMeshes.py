@@ -1,4 +1,4 @@
-"""Scans and smooth parts from an optional folder of meshes: closed ones stay closed.
+"""Scans and parts from an optional folder of meshes: closed ones stay closed, distances are small.
 
     TestRealMeshes.py FOLDER
 
@@ -10,9 +10,12 @@ import sys
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkIOPLY import vtkPLYReader
 
-from anisotropic_remeshing import vtkAnisotropicRemesher
+from anisotropic_remeshing import vtkAnisotropicRemesher, vtkSurfaceMeshComparison
 
 NAMES = {"spot.ply": 2, "rocker_arm.ply": 0, "armadillo.ply": 2}  # Euler characteristics
+# The most RMS distance, of the diagonal: (points, anisotropy, distance).
+DISTANCES = {"bunny.ply": (3000, 0.02, 2.9e-4), "armadillo.ply": (3000, 0.02, 4.7e-4),
+             "fandisk.ply": (1000, 0.5, 1e-4)}
 SKIPPED = 125
 
 
@@ -29,30 +32,49 @@ def open_edges(surface):
     return edges.GetOutput().GetNumberOfLines()
 
 
-def check(path, euler, anisotropy):
+def remeshed(path, points, anisotropy):
     reader = vtkPLYReader()
     reader.SetFileName(path)
     remesher = vtkAnisotropicRemesher()
     remesher.SetInputConnection(reader.GetOutputPort())
-    remesher.SetNumberOfPoints(3000)
+    remesher.SetNumberOfPoints(points)
     remesher.SetAnisotropy(anisotropy)
     remesher.Update()
-    mesh = remesher.GetOutput()
+    return reader.GetOutput(), remesher.GetOutput()
+
+
+def check(path, euler, anisotropy):
+    mesh = remeshed(path, 3000, anisotropy)[1]
     found = (mesh.GetNumberOfPoints(), fact(mesh, "EulerCharacteristic"),
              fact(mesh, "NumberOfNonManifoldEdges"), open_edges(mesh))
     print(os.path.basename(path), anisotropy, *found)
     return found == (3000, euler, 0, 0)
 
 
+def check_distance(path, points, anisotropy, most):
+    surface, mesh = remeshed(path, points, anisotropy)
+    comparison = vtkSurfaceMeshComparison()
+    comparison.SetInputData(mesh)
+    comparison.SetReferenceData(surface)
+    comparison.BoundMaximumDistanceOff()
+    comparison.Update()
+    row = comparison.GetSummaryOutput()
+    distance = row.GetValueByName(0, "RelativeRMSDistance").ToDouble()
+    flipped = row.GetValueByName(0, "NumberOfFlippedTriangles").ToInt()
+    print(os.path.basename(path), anisotropy, mesh.GetNumberOfPoints(), distance, flipped)
+    return mesh.GetNumberOfPoints() == points and 0.0 < distance <= most and flipped == 0
+
+
 def main():
     folder = sys.argv[1]
-    paths = {os.path.join(folder, name): euler for name, euler in NAMES.items()}
-    if not all(os.path.exists(path) for path in paths):
+    if not all(os.path.exists(os.path.join(folder, name)) for name in {**NAMES, **DISTANCES}):
         print("skipped: no meshes in", folder)
         return SKIPPED
-    wrong = [(path, s) for path, euler in paths.items() for s in (0.0, 0.02)
-             if not check(path, euler, s)]
-    return 1 if wrong else 0
+    right = [check(os.path.join(folder, name), euler, s)
+             for name, euler in NAMES.items() for s in (0.0, 0.02)]
+    right += [check_distance(os.path.join(folder, name), *wanted)
+              for name, wanted in DISTANCES.items()]
+    return 0 if all(right) else 1
 
 
 if __name__ == "__main__":
