@@ -14,8 +14,14 @@ namespace
 {
 constexpr Offset pairsAtOnce = 128; // so many are tried in parallel before they are counted
 
+struct BoxedFacet
+{
+  Index facet;
+  Eigen::AlignedBox3d box;
+};
+
 /** The facets that the cells of a triangle's corners meet, ascending. */
-std::vector<Index> facetsOf(const PlacementProblem& problem, const Triple& triangle)
+std::vector<BoxedFacet> facetsOf(const PlacementProblem& problem, const Triple& triangle)
 {
   const Components& components = problem.components;
   std::vector<Index> facets;
@@ -27,41 +33,74 @@ std::vector<Index> facetsOf(const PlacementProblem& problem, const Triple& trian
     }
   }
   sortUnique(facets);
-  return facets;
+  std::vector<BoxedFacet> boxed;
+  boxed.reserve(facets.size());
+  for (const Index facet : facets)
+  {
+    boxed.push_back(
+      { facet, boxAround(cornersOf(problem.mesh.facetPoints[facet], problem.mesh.points)) });
+  }
+  return boxed;
 }
 
-Eigen::AlignedBox3d boxOf(const PlacementProblem& problem, Index facet)
+Eigen::AlignedBox3d boxAroundAll(const std::vector<BoxedFacet>& facets)
 {
-  return boxAround(cornersOf(problem.mesh.facetPoints[facet], problem.mesh.points));
+  Eigen::AlignedBox3d box;
+  for (const BoxedFacet& each : facets)
+  {
+    box.extend(each.box);
+  }
+  return box;
 }
 
 /** Leaves those whose boxes meet that of all the others. */
-void leaveThoseNear(
-  const PlacementProblem& problem, const std::vector<Index>& others, std::vector<Index>& facets)
+void leaveThoseNear(const std::vector<BoxedFacet>& others, std::vector<BoxedFacet>& facets)
 {
-  Eigen::AlignedBox3d box;
-  for (const Index facet : others)
-  {
-    box.extend(boxOf(problem, facet));
-  }
-  const auto isAway = [&](Index facet) { return !boxOf(problem, facet).intersects(box); };
+  const Eigen::AlignedBox3d box = boxAroundAll(others);
+  const auto isAway = [&](const BoxedFacet& facet) { return !facet.box.intersects(box); };
   facets.erase(std::remove_if(facets.begin(), facets.end(), isAway), facets.end());
+}
+
+/** Whether any facet goes through one of the others, which are ordered along an axis. */
+bool anyCrosses(const PlacementProblem& problem, const std::vector<BoxedFacet>& facets,
+  std::vector<BoxedFacet> others)
+{
+  int axis = 0;
+  boxAroundAll(others).diagonal().maxCoeff(&axis);
+  const auto lowerEnd = [axis](const BoxedFacet& each) { return each.box.min()[axis]; };
+  std::sort(others.begin(), others.end(),
+    [&](const BoxedFacet& a, const BoxedFacet& b) { return lowerEnd(a) < lowerEnd(b); });
+  double widest = 0.0;
+  for (const BoxedFacet& each : others)
+  {
+    widest = std::max(widest, each.box.sizes()[axis]);
+  }
+  const SharedArray<Triple>& corners = problem.mesh.facetPoints;
+  return std::any_of(facets.begin(), facets.end(),
+    [&](const BoxedFacet& a)
+    {
+      auto b = std::lower_bound(others.begin(), others.end(), lowerEnd(a) - widest,
+        [&](const BoxedFacet& each, double place) { return lowerEnd(each) < place; });
+      for (; b != others.end() && lowerEnd(*b) <= a.box.max()[axis]; ++b)
+      {
+        if (a.box.intersects(b->box) &&
+          areCrossing(corners[a.facet], corners[b->facet], problem.mesh.points))
+        {
+          return true;
+        }
+      }
+      return false;
+    });
 }
 
 /** Whether a facet of the one triangle's cells goes through one of the other's. */
 bool surfaceCrosses(const PlacementProblem& problem, const Triple& first, const Triple& second)
 {
-  std::vector<Index> own = facetsOf(problem, first);
-  std::vector<Index> others = facetsOf(problem, second);
-  leaveThoseNear(problem, others, own);
-  leaveThoseNear(problem, own, others);
-  const SharedArray<Triple>& facets = problem.mesh.facetPoints;
-  return std::any_of(own.begin(), own.end(),
-    [&](Index a)
-    {
-      return std::any_of(others.begin(), others.end(),
-        [&](Index b) { return areCrossing(facets[a], facets[b], problem.mesh.points); });
-    });
+  std::vector<BoxedFacet> own = facetsOf(problem, first);
+  std::vector<BoxedFacet> others = facetsOf(problem, second);
+  leaveThoseNear(others, own);
+  leaveThoseNear(own, others);
+  return !others.empty() && anyCrosses(problem, own, std::move(others));
 }
 
 /** Appends those of some pairs that can be parted; false when cancelled. */

@@ -26,8 +26,8 @@ namespace remesh
  * @param most with more pairs than this there is no use in any: the search ends.
  * @param pairs the lower number first, ascending: all of them, or the first `most` + 1. Replaced.
  * @return Cancelled; then `pairs` is of no use.
- * Deterministic. Cost: that of the search, and for each pair of crossing triangles the product of
- * the numbers of facets of their cells at most, less those whose boxes are apart; in parallel. Of
+ * Deterministic. Cost: that of the search, and for each pair of crossing triangles the facets of
+ * their cells, and those pairs of these whose boxes are not apart along an axis; in parallel. Of
  * pairs that can be parted, about a hundred more than `most` are tried, however many there are.
  */
 Status findPartable(const PlacementProblem& problem, const CrossingSearch& search,
