@@ -175,6 +175,7 @@ bool enterNextStage(const Task& task, Repair& repair, RemeshResult& result)
   repair.rounds = 0;
   repair.idleRounds = 0;
   repair.failingMass = std::numeric_limits<double>::infinity();
+  repair.failingShare = std::numeric_limits<double>::infinity();
   repair.wentBack = shareSites(result, repair) != repair.best.sites;
   restoreState(repair, result); // its counts, too, where the sites are the same
   return repair.wentBack;

@@ -94,13 +94,22 @@ double failingMass(const RemeshResult& result)
  * Whether the failures have become fewer than ever, or are closed in on: a handle far smaller than
  * the cells takes many sites before it is seen, but one that is nothing against them is never
  * reached. Where failures are many, that is left to the last stages: the first ones may do with
- * fewer sites.
+ * fewer sites. Beyond the number they are to become fewer against the cells: where nothing helps,
+ * their cells shrink for ever.
  */
 bool comesNearer(const RemeshResult& result, Repair& repair)
 {
   const Offset failures = result.topology.certificate.violations();
   const bool areFewer = failures < repair.fewestFailures;
   repair.fewestFailures = std::min(repair.fewestFailures, failures);
+  if (repair.stage == RepairStage::BeyondNumber)
+  {
+    const double share =
+      static_cast<double>(failures) / static_cast<double>(result.components.count());
+    const bool isLeast = share < repair.failingShare;
+    repair.failingShare = std::min(repair.failingShare, share);
+    return areFewer || isLeast;
+  }
   const Offset parts = result.components.count() - result.numberOfVertexSites();
   const bool areFew = static_cast<double>(failures + parts) <=
     fewFailures * static_cast<double>(result.components.count());

@@ -69,6 +69,8 @@ struct Repair
   Offset fewestFailures = std::numeric_limits<Offset>::max();
   /** In this stage, of the cells that failed when it last came nearer. */
   double failingMass = std::numeric_limits<double>::infinity();
+  /** Failures over components, the least in this stage. */
+  double failingShare = std::numeric_limits<double>::infinity();
   int flipRounds = 0;               ///< for flipped triangles and for strays
   std::vector<Offset> flipsBefore;  ///< of those with sites for them, flipped triangles
   std::vector<Offset> straysBefore; ///< likewise
