@@ -17,7 +17,6 @@ using namespace remesh::test;
 namespace
 {
 using Filter = vtkSmartPointer<vtkAnisotropicRemesher>;
-using Edge = std::pair<vtkIdType, vtkIdType>;
 
 constexpr int creaseEdges = 1; // `EdgeType`
 
@@ -37,17 +36,6 @@ Filter remesh(
   return filter;
 }
 
-/** How many triangles each edge of the mesh has. */
-std::map<Edge, int> valencesOf(vtkPolyData* mesh)
-{
-  std::map<Edge, int> valences;
-  for (const auto& [edge, count] : directedEdgesOf(mesh))
-  {
-    valences[std::minmax(edge.first, edge.second)] += count;
-  }
-  return valences;
-}
-
 /** Length of the mesh's edges with both ends where `onFeature` holds, and of some valence. */
 double lengthAlong(vtkPolyData* mesh, const std::function<bool(const Point3&)>& onFeature,
   const std::function<bool(int)>& wanted)
@@ -61,20 +49,6 @@ double lengthAlong(vtkPolyData* mesh, const std::function<bool(const Point3&)>& 
     {
       length += (b - a).norm();
     }
-  }
-  return length;
-}
-
-/** Length of the lines of port 4 of some type. */
-double lengthOfType(vtkAnisotropicRemesher* filter, int wanted)
-{
-  vtkPolyData* edges = filter->GetEdgesOutput();
-  const auto types = arrayOf(edges->GetCellData(), "EdgeType");
-  double length = 0.0;
-  for (vtkIdType k = 0; k < edges->GetNumberOfCells(); ++k)
-  {
-    vtkCell* line = edges->GetCell(k);
-    length += types->GetComponent(k, 0) == wanted ? std::sqrt(line->GetLength2()) : 0.0;
   }
   return length;
 }
@@ -111,7 +85,7 @@ void testBox()
       CHECK_NEAR(areaOf(mesh), 6.0, 1e-12);
       const double kept = lengthAlong(mesh, onCubeEdge, [](int valence) { return valence == 2; });
       CHECK_NEAR(kept, 12.0, 1e-12);
-      CHECK_NEAR(lengthOfType(filter, creaseEdges), 12.0, 1e-12);
+      CHECK_NEAR(lengthsOfEdges(filter->GetEdgesOutput())[creaseEdges], 12.0, 1e-12);
     }
   }
 }
@@ -253,7 +227,7 @@ void testThreeSheets()
     CHECK_NEAR(lengthAlong(mesh, everywhere, [](int v) { return v == 1; }), 9.0, 1e-12);
     CHECK_NEAR(lengthAlong(mesh, everywhere, [](int v) { return v > 3; }), 0.0, 1e-300);
     CHECK_NEAR(areaOf(mesh), areaOf(input), 1e-12);
-    const std::map<Edge, int> valences = valencesOf(mesh);
+    const auto valences = valencesOf(mesh);
     const auto nonManifold = std::count_if(
       valences.begin(), valences.end(), [](const auto& edge) { return edge.second > 2; });
     CHECK(nonManifold > 1);
@@ -362,7 +336,7 @@ void testNoise()
   }
   const Filter filter = remesh(polyDataOf(soup), 500);
   CHECK(isClosedManifold(filter->GetOutput()));
-  CHECK_EQUAL(lengthOfType(filter, creaseEdges), 0.0);
+  CHECK_EQUAL(lengthsOfEdges(filter->GetEdgesOutput())[creaseEdges], 0.0);
 }
 
 /** Off, the cube's edges are cut across: with its points at the centroids, the mesh is smaller. */
@@ -394,63 +368,6 @@ void testTooFew()
   CHECK_EQUAL(eulerCharacteristicOf(filter->GetOutput()), 0);
 }
 
-/** The ridge of a roof of this slope, bent from point to point. */
-vtkSmartPointer<vtkPolyData> roof(const std::function<double(int)>& bend, double slope = 1.0)
-{
-  constexpr int n = 60;
-  TriangleSoup soup = gridPatch(n, n);
-  for (std::size_t k = 0; k < soup.points.size(); ++k)
-  {
-    Point3& p = soup.points[k];
-    p[2] = -slope * std::abs(p[0] - 0.5);
-    p[0] += p[2] == 0.0 ? bend(static_cast<int>(k) / (n + 1)) : 0.0;
-  }
-  return polyDataOf(soup);
-}
-
-/** A ridge of 45 degrees is a crease below that angle, and none above. */
-void testAngle()
-{
-  const auto straight = [](int) { return 0.0; };
-  const auto input = roof(straight, std::tan(pi / 8.0));
-  const auto onRidge = [](const Point3& p) { return near(p[2], 0.0); };
-  for (const double angle : { 44.0, 46.0 })
-  {
-    auto filter = Filter::New();
-    filter->SetInputData(input);
-    filter->SetNumberOfPoints(200);
-    filter->SetFeatureAngle(angle);
-    filter->Update();
-    const double kept =
-      lengthAlong(filter->GetOutput(), onRidge, [](int valence) { return valence == 2; });
-    CHECK_NEAR(kept, angle < 45.0 ? 1.0 : 0.0, 1e-12);
-    CHECK_NEAR(lengthOfType(filter, creaseEdges), angle < 45.0 ? 1.0 : 0.0, 1e-12);
-  }
-}
-
-/**
- * A ridge that zigzags is followed as finely as the mesh is, and no finer: points as dense as its
- * own would be at the tips of thin triangles. One that winds slowly keeps its bends.
- */
-void testZigzag()
-{
-  const auto pointsOnRidge = [](vtkPolyData* mesh)
-  {
-    int count = 0;
-    for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
-    {
-      count += pointOf(mesh, k)[2] > -1e-9;
-    }
-    return count;
-  };
-  const int zigzag =
-    pointsOnRidge(remesh(roof([](int j) { return j % 2 ? 3e-3 : -3e-3; }), 300)->GetOutput());
-  CHECK(zigzag > 10);
-  CHECK(zigzag < 32);
-  const int winding =
-    pointsOnRidge(remesh(roof([](int j) { return 6e-3 * std::sin(0.3 * j); }), 300)->GetOutput());
-  CHECK(winding > 50);
-}
 }
 
 int TestFeatures(int, char*[])
@@ -466,7 +383,5 @@ int TestFeatures(int, char*[])
   testNoise();
   testOff();
   testTooFew();
-  testAngle();
-  testZigzag();
   return result();
 }

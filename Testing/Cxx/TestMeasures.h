@@ -96,6 +96,17 @@ inline std::map<std::pair<vtkIdType, vtkIdType>, int> directedEdgesOf(vtkPolyDat
   return edges;
 }
 
+/** How many triangles each edge of a triangle mesh has. */
+inline std::map<std::pair<vtkIdType, vtkIdType>, int> valencesOf(vtkPolyData* mesh)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> valences;
+  for (const auto& [edge, count] : directedEdgesOf(mesh))
+  {
+    valences[std::minmax(edge.first, edge.second)] += count;
+  }
+  return valences;
+}
+
 /** Used points - edges + triangles. */
 inline vtkIdType eulerCharacteristicOf(vtkPolyData* mesh)
 {
@@ -139,14 +150,9 @@ inline double volumeOf(vtkPolyData* mesh)
 inline double lengthAlong(
   vtkPolyData* mesh, int triangles, const std::function<bool(const Point3&)>& onLine, int& edges)
 {
-  std::map<std::pair<vtkIdType, vtkIdType>, int> valences;
-  for (const auto& [edge, count] : directedEdgesOf(mesh))
-  {
-    valences[std::minmax(edge.first, edge.second)] += count;
-  }
   double length = 0.0;
   edges = 0;
-  for (const auto& [edge, valence] : valences)
+  for (const auto& [edge, valence] : valencesOf(mesh))
   {
     const Point3 a = pointOf(mesh, edge.first);
     const Point3 b = pointOf(mesh, edge.second);
@@ -157,6 +163,24 @@ inline double lengthAlong(
     }
   }
   return length;
+}
+
+/** Length of the lines of each `EdgeType`, of port 4. */
+inline std::map<int, double> lengthsOfEdges(vtkPolyData* edges)
+{
+  const auto types = arrayOf(edges->GetCellData(), "EdgeType");
+  std::map<int, double> lengths;
+  auto lines = vtk::TakeSmartPointer(edges->GetLines()->NewIterator());
+  for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCurrentCell(size, ids);
+    CHECK_EQUAL(size, 2);
+    lengths[static_cast<int>(types->GetComponent(lines->GetCurrentCellId(), 0))] +=
+      (pointOf(edges, ids[1]) - pointOf(edges, ids[0])).norm();
+  }
+  return lengths;
 }
 }
 

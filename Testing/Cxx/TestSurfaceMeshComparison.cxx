@@ -188,12 +188,7 @@ void testNoManifold()
   filter->Update();
   int nonManifold = 0;
   int edges = 0;
-  std::map<std::pair<vtkIdType, vtkIdType>, int> valences;
-  for (const auto& [edge, count] : directedEdgesOf(mesh))
-  {
-    valences[std::minmax(edge.first, edge.second)] += count;
-  }
-  for (const auto& [edge, valence] : valences)
+  for (const auto& [edge, valence] : valencesOf(mesh))
   {
     ++edges;
     nonManifold += valence > 2;
