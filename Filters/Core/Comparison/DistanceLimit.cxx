@@ -43,6 +43,7 @@ public:
         if (examined > mostParts ||
           (examined % partsBetweenQuestions == 0 && m_control.cancelled()))
         {
+          this->note(part, far); // it may be the first that is searched for
           return true;
         }
       }
@@ -70,6 +71,16 @@ private:
     {
       return;
     }
+    const double distance = this->note(part, far);
+    if (distance + part.reach() > m_limit && !this->isWithin(part.corners, m_lastSlot))
+    {
+      m_cutter.cut(m_lastSlot, part, m_next);
+    }
+  }
+
+  /** Searches for the centroid, and keeps it if it is farthest so far; its distance. */
+  double note(const SurfacePart& part, FarPlace& far)
+  {
     const Point3 centroid = part.centroid();
     const TriangleTree::Place place = m_to.closest(centroid, part.hint);
     m_lastSlot = place.slot;
@@ -79,10 +90,7 @@ private:
       far.place = centroid;
       far.distance = distance;
     }
-    if (distance + part.reach() > m_limit && !this->isWithin(part.corners, place.slot))
-    {
-      m_cutter.cut(place.slot, part, m_next);
-    }
+    return distance;
   }
 
   /** Whether a part is within the limit of a triangle, a convex set. */

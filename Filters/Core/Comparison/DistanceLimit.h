@@ -24,15 +24,16 @@ struct FarPlace
  *
  * Bounds are those of MaximumBound.h, but each triangle is examined by itself, against the limit.
  * Parts are cut along a side of the triangle that is closest to their centroid, or into four
- * (SurfaceParts.h). That goes on until all bounds are below
- * the limit, or the distance at the centroid of a part is above 95 % of it: then the worst part of
- * that step is the triangle's place. So a triangle within 95 % of the limit is never told, one
+ * (SurfaceParts.h). That goes on until all bounds are below the limit, or a distance that is found
+ * at the centroid of a part is above 95 % of it: then the worst part of that step is the triangle's
+ * place. So a triangle within 95 % of the limit is never told, one
  * beyond the limit always. Triangles that take more than a million parts are told, too.
  *
  * @param to has triangles.
  * @param limit above 0, in the unit of the points.
  * @return Cancelled, or success.
- * Cost: a search in the tree for each part, in parallel; deterministic.
+ * Cost: a search in the tree for each part at most, in parallel: none for those that are within the
+ * limit of the triangle along which they were cut. Deterministic.
  */
 Status findPlacesBeyond(const Triangles& from, const TriangleTree& to, double limit,
   const RunControl& control, std::vector<FarPlace>& places);

@@ -14,8 +14,9 @@ namespace
 constexpr int mostLevels = 60; ///< halvings of a triangle's edges, or cuts
 constexpr Offset mostPieces = 4;
 
-struct Part : SurfacePart
+struct BoundedPart
 {
+  SurfacePart part;
   double bound; ///< of the distance on this part
 };
 
@@ -33,8 +34,9 @@ struct Search
   }
 
   /** Bounds one part; returns the distance of its centroid. */
-  double examine(Part& part) const
+  double examine(BoundedPart& bounded) const
   {
+    SurfacePart& part = bounded.part;
     const TriangleTree::Place place = this->to.closest(part.centroid(), part.hint);
     const double distance = std::sqrt(place.at.squared);
     double convex = 0.0;
@@ -43,7 +45,7 @@ struct Search
       convex = std::max(convex, this->to.closestOn(place.slot, corner).at.squared);
     }
     part.hint = place.slot;
-    part.bound = std::min({ part.bound, distance + part.reach(), std::sqrt(convex) });
+    bounded.bound = std::min({ bounded.bound, distance + part.reach(), std::sqrt(convex) });
     return distance;
   }
 };
@@ -73,7 +75,7 @@ bool examineAll(
 
 /** The triangles that the search goes on with. False if cancelled. */
 bool examineTriangles(
-  const Triangles& from, const RunControl& control, Search& search, std::vector<Part>& open)
+  const Triangles& from, const RunControl& control, Search& search, std::vector<BoundedPart>& open)
 {
   std::vector<double> bounds(static_cast<std::size_t>(from.count()), 0.0);
   std::vector<Index> hints(bounds.size(), noIndex);
@@ -81,14 +83,15 @@ bool examineTriangles(
         from.count(), control,
         [&](Offset t)
         {
-          Part part{ { from.corners(t) }, std::numeric_limits<double>::infinity() };
-          if (!hasArea(part.corners[0], part.corners[1], part.corners[2]))
+          BoundedPart whole{ { from.corners(t) }, std::numeric_limits<double>::infinity() };
+          const auto& [a, b, c] = whole.part.corners;
+          if (!hasArea(a, b, c))
           {
             return 0.0;
           }
-          const double distance = search.examine(part);
-          bounds[t] = part.bound;
-          hints[t] = part.hint;
+          const double distance = search.examine(whole);
+          bounds[t] = whole.bound;
+          hints[t] = whole.part.hint;
           return distance;
         },
         search))
@@ -111,7 +114,7 @@ bool examineTriangles(
 }
 
 /** Leaves alone the parts that cannot matter, and those beyond `most` with the least bounds. */
-void settle(std::vector<Part>& open, Offset most, Search& search)
+void settle(std::vector<BoundedPart>& open, Offset most, Search& search)
 {
   const double target = search.target();
   double least = target;
@@ -119,13 +122,13 @@ void settle(std::vector<Part>& open, Offset most, Search& search)
   {
     std::vector<double> bounds(open.size());
     std::transform(
-      open.begin(), open.end(), bounds.begin(), [](const Part& part) { return part.bound; });
+      open.begin(), open.end(), bounds.begin(), [](const BoundedPart& part) { return part.bound; });
     const auto place = bounds.begin() + most;
     std::nth_element(bounds.begin(), place, bounds.end(), std::greater<>());
     least = std::max(least, *place); // at most `most` parts are above it
   }
   const auto end = std::remove_if(open.begin(), open.end(),
-    [&](const Part& part)
+    [&](const BoundedPart& part)
     {
       if (part.bound > least)
       {
@@ -137,19 +140,19 @@ void settle(std::vector<Part>& open, Offset most, Search& search)
   open.erase(end, open.end());
 }
 
-std::vector<Part> cutAll(const std::vector<Part>& open, const Search& search)
+std::vector<BoundedPart> cutAll(const std::vector<BoundedPart>& open, const Search& search)
 {
   PartCutter cutter(search.to, search.target());
-  std::vector<Part> cut;
+  std::vector<BoundedPart> cut;
   cut.reserve(mostPieces * open.size());
   std::vector<SurfacePart> pieces;
-  for (const Part& part : open)
+  for (const BoundedPart& each : open)
   {
     pieces.clear();
-    cutter.cut(part.hint, part, pieces);
+    cutter.cut(each.part.hint, each.part, pieces);
     for (const SurfacePart& piece : pieces)
     {
-      cut.push_back({ piece, part.bound });
+      cut.push_back({ piece, each.bound });
     }
   }
   return cut;
@@ -160,7 +163,7 @@ Status boundMaximum(const Triangles& from, const TriangleTree& to, const Distanc
   const RunControl& control, OneSidedDistance& distance)
 {
   Search search{ to, options, distance.maximum };
-  std::vector<Part> open;
+  std::vector<BoundedPart> open;
   if (!examineTriangles(from, control.step(0, 2), search, open))
   {
     return Status::cancelled();

@@ -7,6 +7,9 @@
 
 #include "Mesh/TriangleTree.h"
 
+#include <array>
+#include <vector>
+
 namespace remesh
 {
 struct SurfacePart
@@ -19,14 +22,17 @@ struct SurfacePart
   double reach() const; ///< from the centroid
 };
 
-/** Cuts parts; one per thread. */
+/**
+ * Cuts parts; one per thread. The pieces, four at most, lie in the part and cover it wholly, but
+ * for rounding. O(1) each.
+ */
 class PartCutter
 {
 public:
   /**
    * @param to must outlive it.
-   * @param accuracy of distances, above 0: parts reach a hundredth of it beyond the sides that they
-   *        are cut along, so that corners on a side leave no slivers.
+   * @param accuracy of distances, at least 0: parts reach a hundredth of it beyond the sides that
+   *        they are cut along, so that corners on a side leave no slivers.
    */
   PartCutter(const TriangleTree& to, double accuracy);
 
@@ -36,7 +42,8 @@ public:
    * False, and nothing appended, for parts that are much larger than the triangle, lean against it,
    * or do not stick out.
    *
-   * @param parts those it is cut into are appended, at most four.
+   * @param slot a triangle of the tree.
+   * @param parts those it is cut into are appended.
    */
   bool cutAlong(Index slot, const SurfacePart& part, std::vector<SurfacePart>& parts);
 
