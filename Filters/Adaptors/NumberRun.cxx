@@ -126,7 +126,7 @@ struct NumberRun
   std::tuple<bool, Offset, Offset, Offset, Offset, Offset> faults() const
   {
     const RemeshResult& result = this->outcome.result;
-    const Offset off = std::abs(result.components.count() - result.wantedVertices);
+    const Offset off = std::abs(result.extraVertices());
     return { !result.topology.preserved(), 2 * off / std::max(result.wantedVertices, Offset(1)),
       result.topology.certificate.violations(), off, this->wrongWay(),
       result.placement.repair.refilled };
@@ -136,8 +136,7 @@ struct NumberRun
   bool losesTopologyOrNumber() const
   {
     const RemeshResult& result = this->outcome.result;
-    return result.topology.lost() ||
-      result.components.count() - result.wantedVertices > this->options.maximumExtraPoints;
+    return result.topology.lost() || result.hasTooManyVertices(this->options);
   }
 
   /** Whether the mesh has faults that smoother normals may mend. */

@@ -87,12 +87,12 @@ std::vector<std::string> warningsOf(
     warnings.push_back(std::to_string(result.emptyCells) +
       " sites have empty cells: the surface cannot hold so many points.");
   }
-  const Offset extra = result.components.count() - result.wantedVertices;
-  if (hasNumber && extra > options.maximumExtraPoints)
+  const Offset extra = result.extraVertices();
+  if (hasNumber && result.hasTooManyVertices(options))
   {
     warnings.push_back("The mesh has " + std::to_string(extra) +
-      " points more than asked for, as features take so many, or so many cells "
-      "reach several parts of the surface. More points or less anisotropy help.");
+      " points more than asked for, as features take so many, each component and patch a few, or "
+      "so many cells reach several parts of the surface. More points or less anisotropy help.");
   }
   if (hasNumber && extra < 0 && result.emptyCells == 0)
   {

@@ -64,7 +64,7 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   add("NumberOfNonManifoldEdges", result.topology.mesh.nonManifoldEdges);
   add("EulerCharacteristic", result.topology.mesh.eulerCharacteristic);
   add("TopologyPreserved", result.topology.preserved() ? 1 : 0);
-  add("NumberOfExtraPoints", result.components.count() - result.wantedVertices);
+  add("NumberOfExtraPoints", result.extraVertices());
   add("Seed", source.seed);
   if (source.prepared.smoothingRadius)
   {

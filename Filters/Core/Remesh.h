@@ -112,6 +112,16 @@ struct RemeshResult
     return static_cast<Offset>(this->sites.count()) - this->featureSites.sites.count() +
       this->featureSites.numberOfPoints();
   }
+
+  /** Vertices beyond those that there should be; below 0 if there are fewer. */
+  Offset extraVertices() const { return this->components.count() - this->wantedVertices; }
+
+  /** Whether these are more than allowed; where features alone take more, they count from there. */
+  bool hasTooManyVertices(const RemeshOptions& options) const
+  {
+    const Offset beyond = std::max(this->neededFeaturePoints - options.numberOfSites, Offset(0));
+    return this->extraVertices() - beyond > options.maximumExtraPoints;
+  }
 };
 
 /**
