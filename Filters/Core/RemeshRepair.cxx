@@ -199,10 +199,12 @@ Index repairTopology(
   Refinement refinement = refineTopology({ task.surface, result.sites, result.diagram },
     result.components, result.dual, result.topology.certificate, cutTips);
   const auto count = static_cast<Offset>(refinement.added.size()) / task.surface.dimension;
-  const Offset extra = repair.stage == RepairStage::BeyondNumber && repair.flipRounds == 0
-    ? std::min(count, task.options.maximumExtraPoints - repair.counts.extraPoints)
-    : 0;
   const Offset before = wantedVertices(task.options, result, repair);
+  // More than wanted, as components and patches take some each, none of which can be taken away.
+  const Offset surplus = std::max(Offset(0), result.components.count() - before);
+  const Offset extra = repair.stage == RepairStage::BeyondNumber && repair.flipRounds == 0
+    ? std::min(count + surplus, task.options.maximumExtraPoints - repair.counts.extraPoints)
+    : 0;
   repair.counts.extraPoints += extra;
   const Index touched = revise(
     std::move(refinement), result.topology.certificate, before + extra, task, repair, result);
