@@ -32,7 +32,8 @@ public:
   ///@{
   /**
    * Number of points of the mesh that the embedding is for, at least 1, default 10000: estimated
-   * normals are smoothed over their mean spacing, if at all (see `NormalSmoothingPasses`).
+   * normals are smoothed over 1.5 times their mean spacing, if at all (see
+   * `NormalSmoothingPasses`).
    */
   vtkSetClampMacro(NumberOfPoints, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(NumberOfPoints, vtkIdType);

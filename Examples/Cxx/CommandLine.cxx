@@ -197,8 +197,9 @@ std::vector<Option> MakeTable()
       "estimated.",
       Text("--normals", &Options::Normals) },
     { "--normal-smoothing", "K",
-      "Smoothing passes over estimated normals, -1 to 10000. Default -1: over the mean "
-      "spacing of the new points, farther where the anisotropy is too high for them, not at "
+      "Smoothing passes over estimated normals, -1 to 10000. Default -1: over 1.5 times "
+      "the mean spacing of the new points, farther where the anisotropy is too high for them, not "
+      "at "
       "all where there are few bends but along one direction.",
       Integer("--normal-smoothing", &Options::NormalSmoothingPasses, -1, 10000) },
     { "--embedding-array", "NAME",
