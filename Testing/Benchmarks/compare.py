@@ -179,9 +179,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", nargs="+", metavar="FILE")
-    parser.add_argument("--pairs", type=int, metavar="N")
-    parser.add_argument("--plain", action="store_true")
-    parser.add_argument("--markdown", action="store_true")
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--pairs", type=int, metavar="N")
+    what.add_argument("--plain", action="store_true")
+    what.add_argument("--markdown", action="store_true")
     parser.add_argument("--raw", action="store_true", help="seconds of files as they are")
     parser.add_argument("--all", action="store_true", help="print the parts, too")
     parser.add_argument("--threshold", type=float, metavar="RATIO", help="as 1.05")

@@ -56,8 +56,9 @@ void testCells()
   auto remesher = vtkSmartPointer<vtkAnisotropicRemesher>::New();
   remesher->SetNumberOfPoints(1000);
   remesher->SetVertexPlacement(vtkAnisotropicRemesher::CENTROID);
-  const auto bumpy = polyDataOf(torus(1.0, 0.4, 90, 45));
-  for (const auto& surface : { ellipsoidOf(5, { 1.0, 0.6, 0.5 }), bumpy })
+  Messages messages(remesher);
+  const auto ring = polyDataOf(torus(1.0, 0.4, 90, 45));
+  for (const auto& surface : { ellipsoidOf(5, { 1.0, 0.6, 0.5 }), ring })
   {
     remesher->SetInputData(surface);
     for (const double anisotropy : { 0.0, 0.02 })
@@ -65,15 +66,17 @@ void testCells()
       remesher->SetAnisotropy(anisotropy);
       remesher->Update();
       CHECK(momentOverHexagons(remesher->GetOutput()) < 1.015);
-      CHECK(momentOverHexagons(remesher->GetOutput()) > 1.0);
+      CHECK(momentOverHexagons(remesher->GetOutput()) > 0.999); // 1 is the least in a plane
       CHECK(meanRadiusRatio(remesher->GetOutput()) > 0.97);
     }
   }
+  CHECK(messages.errors().empty() && messages.warnings().empty());
 }
 
 /**
- * The least RMS distance of a mesh with 1000 triangle corners to this ellipsoid is 7.28e-5 of the
- * diagonal, as the mesh of the paraboloid with the same curvatures has it everywhere.
+ * The least RMS distance of a mesh with 1000 points to this ellipsoid is 7.28e-5 of the diagonal:
+ * by the formula that TestPlacement has, with the cube root of the Gaussian curvature integrated
+ * over the whole ellipsoid.
  */
 void testEllipsoid()
 {

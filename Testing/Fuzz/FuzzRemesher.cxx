@@ -7,6 +7,8 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
@@ -15,6 +17,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -158,6 +162,28 @@ void checkOutputs(vtkAnisotropicRemesher* filter, vtkIdType sites)
   }
 }
 
+/** What is not as it was asked for is told. */
+void checkWarnings(
+  vtkAnisotropicRemesher* filter, vtkIdType sites, const std::vector<std::string>& warnings)
+{
+  vtkPolyData* mesh = filter->GetOutput();
+  if (filter->GetDistanceTolerance() > 0.0)
+  {
+    double bounds[6];
+    filter->GetPolyDataInput(0)->GetBounds(bounds); // points of no cell count here
+    const double diagonal =
+      std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+    FUZZ_CHECK(!warnings.empty() || !mesh->GetFieldData()->HasArray("MaximumDistance") ||
+      fact(filter, "MaximumDistance") <= filter->GetDistanceTolerance() * diagonal * (1.0 + 1e-9));
+  }
+  else if (filter->GetPreserveFeatures())
+  {
+    const vtkIdType most = filter->GetMaximumNumberOfExtraPoints(); // one percent is none
+    FUZZ_CHECK(!warnings.empty() || most == Algorithm::UNLIMITED ||
+      mesh->GetNumberOfPoints() <= sites + std::max(most, vtkIdType(0)));
+  }
+}
+
 bool outputsAreEmpty(vtkAnisotropicRemesher* filter)
 {
   return filter->GetOutput()->GetNumberOfPoints() == 0 &&
@@ -209,5 +235,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   FUZZ_CHECK(fromExecutive.empty());
   checkOutputs(filter, sites);
+  checkWarnings(filter, sites, warnings);
   return 0;
 }
