@@ -199,8 +199,7 @@ std::vector<Option> MakeTable()
     { "--normal-smoothing", "K",
       "Smoothing passes over estimated normals, -1 to 10000. Default -1: over 1.5 times "
       "the mean spacing of the new points, farther where the anisotropy is too high for them, not "
-      "at "
-      "all where there are few bends but along one direction.",
+      "at all where there are few bends but along one direction.",
       Integer("--normal-smoothing", &Options::NormalSmoothingPasses, -1, 10000) },
     { "--embedding-array", "NAME",
       "Point array that replaces position and normal: the place of each point in R^d.",

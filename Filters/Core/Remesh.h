@@ -31,6 +31,7 @@
 #include "Voronoi/Diagram.h"
 #include "Voronoi/PlainSums.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 

@@ -85,7 +85,7 @@ void testEllipsoid()
   CHECK(trial.value("MeanMinimumAngle") > 40.0);
 }
 
-/** The distance of a mesh of a rough surface, over its diagonal. */
+/** The RMS distance of a mesh with 400 points, in the unit of the surface. */
 double distanceOf(vtkPolyData* surface, double anisotropy, int smoothingPasses)
 {
   auto remesher = vtkSmartPointer<vtkAnisotropicRemesher>::New();

@@ -192,7 +192,7 @@ void testOnePercent()
   }
 }
 
-/** Many parts, each of which takes four points more than its share: these count, too. */
+/** Parts that take four points each, more than asked for: extra points come on top of these. */
 void testManyParts()
 {
   TriangleSoup soup;
