@@ -14,6 +14,11 @@ constexpr double smallestMass = 1e-4; // of the mean cell's: a hundredth of the 
 constexpr double fewFailures = 0.03;  // of the vertices, with parts of cells, for that
 }
 
+void allowSettling(Repair& repair)
+{
+  repair.adjustments = std::min(repair.adjustments, settledAdjustments);
+}
+
 SharedSites shareSites(const RemeshResult& result, Repair& repair)
 {
   const SharedSites& last = repair.atHand;

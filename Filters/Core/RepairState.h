@@ -54,6 +54,9 @@ enum class RepairStage
  */
 using Score = std::tuple<Offset, bool, Offset, Offset, Offset>;
 
+constexpr int mostFlipRounds = 8; ///< in which sites, or places on curves, go to flipped triangles
+constexpr int settledAdjustments = 4; ///< of the number; later ones change only what they must
+
 const Score worstScore{ std::numeric_limits<Offset>::max(), true, 0, 0, 0 };
 
 /** What was mended how often, each with its own bound, and the best state so far. */
@@ -71,7 +74,7 @@ struct Repair
   double failingMass = std::numeric_limits<double>::infinity();
   /** Failures over components, the least in this stage. */
   double failingShare = std::numeric_limits<double>::infinity();
-  int flipRounds = 0;               ///< for flipped triangles and for strays
+  int flipRounds = 0;               ///< for flipped triangles and for strays; to mostFlipRounds
   std::vector<Offset> flipsBefore;  ///< of those with sites for them, flipped triangles
   std::vector<Offset> straysBefore; ///< likewise
   SitePruning pruning;              ///< of added sites, once the topology is right
@@ -85,6 +88,9 @@ struct Repair
   SiteState best;
   Score scoreOfBest = worstScore;
 };
+
+/** The number of vertices may be adjusted again, and the sites around settle. */
+void allowSettling(Repair& repair);
 
 /** The result's sites as they are now. */
 SharedSites shareSites(const RemeshResult& result, Repair& repair);
