@@ -363,12 +363,7 @@ void testScale()
   const RemeshResult usual = test::remeshed(mesh, 0.05, 300, VertexPlacement::Fit);
   for (const int exponent : { -100, 100 })
   {
-    TriangleSoup scaled = soup;
-    for (Point3& point : scaled.points)
-    {
-      point *= std::ldexp(1.0, exponent);
-    }
-    SurfaceMesh scaledMesh = test::meshOf(scaled);
+    SurfaceMesh scaledMesh = test::meshOf(test::scaled(soup, std::ldexp(1.0, exponent)));
     const RemeshResult result = test::remeshed(scaledMesh, 0.05, 300, VertexPlacement::Fit);
     CHECK_EQUAL(result.placement.positions.size(), usual.placement.positions.size());
     double worst = 0.0;

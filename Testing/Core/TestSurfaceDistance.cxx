@@ -31,15 +31,6 @@ TwoSidedDistance distanceOf(
   return distance;
 }
 
-TriangleSoup scaled(TriangleSoup soup, double factor)
-{
-  for (Point3& point : soup.points)
-  {
-    point *= factor;
-  }
-  return soup;
-}
-
 TriangleSoup turnedAroundY(TriangleSoup soup, double degrees)
 {
   const Eigen::AngleAxisd turn(-degrees * pi / 180.0, Point3::UnitY());

@@ -280,6 +280,15 @@ inline void flip(TriangleSoup& soup, std::size_t triangle)
   std::swap(soup.triangles[triangle][1], soup.triangles[triangle][2]);
 }
 
+inline TriangleSoup scaled(TriangleSoup soup, double factor)
+{
+  for (Point3& point : soup.points)
+  {
+    point *= factor;
+  }
+  return soup;
+}
+
 /** Appends a copy of another soup, moved, with cell ids that go on. */
 inline void append(TriangleSoup& soup, const TriangleSoup& other, const Point3& shift)
 {

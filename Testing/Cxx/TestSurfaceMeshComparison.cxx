@@ -1,14 +1,9 @@
-// The comparison of a mesh with a reference: outputs, their values by formula, bad input, threads.
+// The comparison of a mesh with a reference: outputs, and their values by formula.
 
-#include "TestBytes.h"
+#include "TestComparisons.h"
 #include "TestMeasures.h"
 
-#include "vtkSurfaceMeshComparison.h"
-
-#include "vtkVariant.h"
-
 #include <limits>
-#include <sstream>
 
 using namespace remesh;
 using namespace remesh::test;
@@ -17,48 +12,20 @@ namespace
 {
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
-using Filter = vtkSmartPointer<vtkSurfaceMeshComparison>;
-
-Filter compare(vtkPolyData* mesh, vtkPolyData* reference)
+Comparison compareNow(const TriangleSoup& mesh, const TriangleSoup& reference)
 {
-  auto filter = Filter::New();
-  filter->SetInputData(mesh);
-  filter->SetReferenceData(reference);
-  filter->SetNumberOfSamples(5000);
-  return filter;
-}
-
-Filter compareNow(const TriangleSoup& mesh, const TriangleSoup& reference)
-{
-  const Filter filter = compare(polyDataOf(mesh), polyDataOf(reference));
+  const Comparison filter = compare(polyDataOf(mesh), polyDataOf(reference));
   Messages messages(filter);
   filter->Update();
   CHECK(messages.errors().empty() && messages.warnings().empty());
   return filter;
 }
 
-double summaryOf(vtkSurfaceMeshComparison* filter, const char* column)
-{
-  vtkAbstractArray* values = filter->GetSummaryOutput()->GetColumnByName(column);
-  check(values && values->GetNumberOfTuples() == 1, __FILE__, __LINE__,
-    std::string("there is no column ") + column);
-  return values ? values->GetVariantValue(0).ToDouble() : nan;
-}
-
-TriangleSoup scaled(TriangleSoup soup, double factor)
-{
-  for (Point3& point : soup.points)
-  {
-    point *= factor;
-  }
-  return soup;
-}
-
 /** A sphere inside another: signs, relative distances, both ways. */
 void testSpheres()
 {
   const TriangleSoup large = icosphere(2);
-  const Filter filter = compareNow(scaled(large, 0.9), large);
+  const Comparison filter = compareNow(scaled(large, 0.9), large);
   vtkPolyData* mesh = filter->GetOutput();
   CHECK_EQUAL(mesh->GetNumberOfCells(), 320);
   const auto distance = arrayOf(mesh->GetPointData(), "Distance");
@@ -103,7 +70,7 @@ void testFaults()
   TriangleSoup patch = gridPatch(6, 6, { 0, 0, 0.25 });
   flip(patch, 30);
   patch.triangles.erase(patch.triangles.begin() + 56, patch.triangles.begin() + 58);
-  const Filter filter = compareNow(patch, gridPatch(9, 7));
+  const Comparison filter = compareNow(patch, gridPatch(9, 7));
   const auto flipped = arrayOf(filter->GetOutput()->GetCellData(), "Flipped");
   const auto degrees = arrayOf(filter->GetOutput()->GetCellData(), "NormalDeviation");
   for (vtkIdType t = 0; t < flipped->GetNumberOfTuples(); ++t)
@@ -160,7 +127,7 @@ void testSeams()
     append(split, makeSoup({ box.points[a], box.points[b], box.points[c] }, { { 0, 1, 2 } }),
       { 0, 0, 0 });
   }
-  const Filter filter = compareNow(split, split);
+  const Comparison filter = compareNow(split, split);
   CHECK_EQUAL(summaryOf(filter, "NumberOfPoints"), 36.0);
   CHECK_EQUAL(summaryOf(filter, "NumberOfDuplicatePoints"), 28.0);
   CHECK_EQUAL(summaryOf(filter, "NumberOfComponents"), 12.0);
@@ -211,7 +178,7 @@ void testNoManifold()
 
 void testWithoutReference()
 {
-  const Filter filter = compare(polyDataOf(torus(1.0, 0.3, 12, 9)), nullptr);
+  const Comparison filter = compare(polyDataOf(torus(1.0, 0.3, 12, 9)), nullptr);
   filter->SetInputConnection(1, nullptr);
   Messages messages(filter);
   filter->Update();
@@ -270,7 +237,7 @@ void testOtherCells()
   mesh->GetCellData()->AddArray(label);
   addPointArray<vtkDoubleArray>(mesh, "X", 1, [](const Point3& p, int) { return p.x(); });
 
-  const Filter filter = compare(mesh, polyDataOf(gridPatch(2, 2, { 0, 0, -1.0 })));
+  const Comparison filter = compare(mesh, polyDataOf(gridPatch(2, 2, { 0, 0, -1.0 })));
   Messages messages(filter);
   filter->Update();
   CHECK(messages.errors().empty() && messages.warnings().empty());
@@ -295,146 +262,6 @@ void testOtherCells()
   CHECK_EQUAL(mesh->GetPointData()->GetNumberOfArrays(), 1);
   CHECK_EQUAL(mesh->GetCellData()->GetNumberOfArrays(), 1);
 }
-
-/** One error with these words and empty outputs; then a good run. */
-void checkFails(vtkPolyData* mesh, vtkPolyData* reference, const std::string& words)
-{
-  const Filter filter = compare(mesh, reference);
-  Messages messages(filter);
-  filter->Update();
-  CHECK_EQUAL(messages.errors().size(), std::size_t(1));
-  CHECK_EQUAL(messages.executiveErrors().size(), std::size_t(1));
-  check(!messages.errors().empty() && messages.errors()[0].find(words) != std::string::npos,
-    __FILE__, __LINE__,
-    words + " is not in: " + (messages.errors().empty() ? "" : messages.errors()[0]));
-  CHECK(outputsAreEmpty(filter));
-  filter->SetInputData(polyDataOf(cube()));
-  filter->SetReferenceData(polyDataOf(cube()));
-  messages.clear();
-  filter->Update();
-  CHECK(messages.errors().empty());
-  CHECK_NEAR(summaryOf(filter, "MaximumDistance"), 0.0, 1e-15);
-}
-
-void testErrors()
-{
-  const auto good = polyDataOf(cube());
-  const auto spoilt = [](double x)
-  {
-    const auto data = polyDataOf(cube());
-    data->GetPoints()->SetPoint(3, 0.0, x, 0.0);
-    return data;
-  };
-  const auto lines = polyDataOf(cube());
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell({ 0, 1 });
-  lines->SetPolys(nullptr);
-  lines->SetLines(cells);
-  const auto outOfRange = polyDataOf(cube());
-  vtkNew<vtkCellArray> polygons;
-  polygons->InsertNextCell({ 0, 1, 77 });
-  outOfRange->SetPolys(polygons);
-  const auto tiny = polyDataOf(scaled(cube(), 1e-200));
-  TriangleSoup flat = cube();
-  flat.triangles = { { 0, 1, 1 } };
-
-  checkFails(lines, good, "The mesh cannot be read. The input has no polygons");
-  checkFails(good, lines, "The reference surface cannot be read. The input has no polygons");
-  checkFails(
-    spoilt(nan), good, "Point 3 of the mesh, in cell 0, has a coordinate that is not finite");
-  checkFails(good, spoilt(-std::numeric_limits<double>::infinity()), "Point 3 of the reference");
-  checkFails(good, spoilt(1e200), "too far away");
-  checkFails(outOfRange, good, "refers to point 77");
-  checkFails(good, outOfRange, "refers to point 77");
-  checkFails(tiny, good, "too small");
-  checkFails(polyDataOf(flat), good, "The mesh has no triangle with an area");
-  checkFails(good, polyDataOf(flat), "The reference surface has no triangle with an area");
-
-  const Filter empty = compare(vtkSmartPointer<vtkPolyData>::New(), good);
-  Messages messages(empty);
-  empty->Update();
-  CHECK(messages.errors().empty() && messages.warnings().empty());
-  CHECK(outputsAreEmpty(empty));
-}
-
-/** The same bytes for any back-end and number of threads; an abort leaves nothing. */
-void testExecution()
-{
-  const auto mesh = polyDataOf(ellipsoid(3));
-  const auto reference = polyDataOf(ellipsoid(4));
-  std::vector<Content> expected;
-  for (const int backend : { vtkSurfaceMeshComparison::SMP_SEQUENTIAL,
-         vtkSurfaceMeshComparison::SMP_STDTHREAD, vtkSurfaceMeshComparison::SMP_AUTOMATIC })
-  {
-    for (const int threads : { 1, 2, 0 })
-    {
-      const Filter filter = compare(mesh, reference);
-      filter->SetSMPBackend(backend);
-      filter->SetNumberOfThreads(threads);
-      filter->Update();
-      const std::vector<Content> contents = contentsOf(filter);
-      expected = expected.empty() ? contents : expected;
-      checkSame(contents, expected,
-        "back-end " + std::to_string(backend) + ", threads " + std::to_string(threads));
-    }
-  }
-
-  const Filter filter = compare(mesh, reference);
-  Messages messages(filter);
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> watch;
-  watch->SetClientData(&progress);
-  watch->SetCallback([](vtkObject*, unsigned long, void* list, void* value)
-    { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(value)); });
-  filter->AddObserver(vtkCommand::ProgressEvent, watch);
-  filter->Update();
-  CHECK(progress.size() > 10 && std::is_sorted(progress.begin(), progress.end()));
-  CHECK_EQUAL(progress.back(), 1.0);
-
-  for (const double limit : { 0.1, 0.4, 0.9 })
-  {
-    std::pair<vtkAlgorithm*, double> state(filter, limit);
-    vtkNew<vtkCallbackCommand> stop;
-    stop->SetClientData(&state);
-    stop->SetCallback(
-      [](vtkObject*, unsigned long, void* data, void* value)
-      {
-        const auto& [algorithm, most] = *static_cast<std::pair<vtkAlgorithm*, double>*>(data);
-        if (*static_cast<double*>(value) >= most)
-        {
-          algorithm->SetAbortExecute(1);
-        }
-      });
-    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
-    filter->Modified();
-    filter->Update();
-    filter->RemoveObserver(tag);
-    CHECK(messages.errors().empty());
-    CHECK(outputsAreEmpty(filter));
-  }
-}
-
-void testProperties()
-{
-  vtkNew<vtkSurfaceMeshComparison> filter;
-  CHECK_EQUAL(filter->GetNumberOfSamples(), 200000);
-  CHECK(filter->GetBoundMaximumDistance());
-  CHECK_EQUAL(filter->GetNumberOfBins(), 30);
-  CHECK_EQUAL(filter->GetNumberOfThreads(), 0);
-  CHECK_EQUAL(filter->GetSMPBackend(), static_cast<int>(vtkSurfaceMeshComparison::SMP_AUTOMATIC));
-  filter->SetNumberOfSamples(-3);
-  CHECK_EQUAL(filter->GetNumberOfSamples(), 1);
-  filter->SetNumberOfBins(1 << 20);
-  CHECK_EQUAL(filter->GetNumberOfBins(), 10000);
-  std::ostringstream text;
-  filter->Print(text);
-  for (const char* name : { "NumberOfSamples: ", "BoundMaximumDistance: ", "NumberOfBins: ",
-         "NumberOfThreads: ", "SMPBackend: " })
-  {
-    check(text.str().find(name) != std::string::npos, __FILE__, __LINE__,
-      std::string("not printed: ") + name);
-  }
-}
 }
 
 int TestSurfaceMeshComparison(int, char*[])
@@ -445,8 +272,5 @@ int TestSurfaceMeshComparison(int, char*[])
   testWithoutReference();
   testNoManifold();
   testOtherCells();
-  testErrors();
-  testExecution();
-  testProperties();
   return result();
 }
