@@ -25,8 +25,9 @@
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
  * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose normal makes
  * more than 90 degrees with the surface's closest to their centre, among what their points' cells
- * meet, or whose corners are all but collinear), `NumberOfNonManifoldEdges`, `EulerCharacteristic`,
- * `TopologyPreserved`, `NumberOfExtraPoints` (points beyond those asked for, or, where sites are
+ * meet, or whose corners are all but collinear), `NumberOfStrayTriangles` (others that do so with
+ * another part of the surface, which is closer, as where the chords of one sheet are as deep as the
+ * next is near), `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `NumberOfExtraPoints` (points beyond those asked for, or, where sites are
  * given, features are not preserved or there is a distance tolerance, beyond the number of sites),
  * `Seed`; with MeasureDistance `MaximumDistance` (the largest found from mesh to surface or back;
  * with a distance tolerance a bound that no point passes) and `RMSDistance` (root of the mean of
@@ -107,7 +108,7 @@ public:
    * Points where a triangle would face against the surface are put elsewhere in all cases, first
    * one by one and then together with those around, then nearer to the centroids, and only where
    * that does not help, edges are turned over: these triangles are not the dual of the cells. See
-   * the field array `NumberOfFlippedTriangles` for what is left.
+   * the field arrays `NumberOfFlippedTriangles` and `NumberOfStrayTriangles` for what is left.
    */
   vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);
   vtkGetMacro(VertexPlacement, int);

@@ -78,6 +78,7 @@ void AddOutput(JsonWriter& json, vtkPolyData* surface)
   json.Add("triangles", static_cast<long long>(surface->GetNumberOfPolys()));
   json.Add("extra_points", FactOf(surface, "NumberOfExtraPoints"));
   json.Add("flipped_triangles", FactOf(surface, "NumberOfFlippedTriangles"));
+  json.Add("stray_triangles", FactOf(surface, "NumberOfStrayTriangles"));
   for (const auto& [name, array] :
     { std::pair<const char*, const char*>{ "normal_smoothing_radius", "NormalSmoothingRadius" },
       { "maximum_distance", "MaximumDistance" }, { "rms_distance", "RMSDistance" } })

@@ -115,7 +115,7 @@ struct NumberRun
   Offset wrongWay() const
   {
     const Placement& placement = this->outcome.result.placement;
-    return std::max(placement.repair.flippedTriangles, placement.strays);
+    return placement.repair.flippedTriangles + placement.strays();
   }
 
   /**

@@ -24,7 +24,7 @@ inline constexpr Names meshPointNames = { "SiteId", "ComponentId", "CellArea", "
 
 /** Field arrays of a diagram filter's mesh, which no other port has. */
 inline constexpr Names meshFactNames = { "NumberOfFlippedTriangles", "NumberOfNonManifoldEdges",
-  "EulerCharacteristic", "TopologyPreserved", "NumberOfExtraPoints", "Seed",
+  "NumberOfStrayTriangles", "EulerCharacteristic", "TopologyPreserved", "NumberOfExtraPoints", "Seed",
   "NormalSmoothingRadius", "MaximumDistance", "RMSDistance" };
 
 /** Cell arrays of a compared mesh. */

@@ -1,7 +1,6 @@
 #include "Adaptors/RunWarnings.h"
 
 #include "Mesh/FacetGeometry.h"
-#include "Placement/StrayTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,12 +58,11 @@ void tellWrongTriangles(const RemeshResult& result, std::vector<std::string>& wa
       (flipped == 1 ? " triangle faces" : " triangles face") +
       " the surface the wrong way. More points or less anisotropy help.");
   }
-  else if (const Offset strays = result.placement.strays;
-           strays > mostStrays(static_cast<Offset>(result.dual.triangles.size())))
+  else if (const Offset strays = result.placement.strays(); strays > 0)
   {
-    warnings.push_back(std::to_string(strays) +
-      " triangles are closer to another part of the surface than to their own, and face it the "
-      "wrong way. More points help where its sheets are close to each other.");
+    warnings.push_back(std::to_string(strays) + (strays == 1 ? " triangle is" : " triangles are") +
+      " closer to another part of the surface than to " + (strays == 1 ? "its" : "their") +
+      " own, facing it the wrong way. More points help where its sheets are close to each other.");
   }
 }
 }

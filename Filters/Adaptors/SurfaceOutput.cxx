@@ -61,6 +61,7 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   const auto add = [&columns](const char* name, Offset value)
   { columns.add<vtkIdTypeArray>(name, [value](Offset) { return value; }); };
   add("NumberOfFlippedTriangles", result.placement.repair.flippedTriangles);
+  add("NumberOfStrayTriangles", result.placement.strays());
   add("NumberOfNonManifoldEdges", result.topology.mesh.nonManifoldEdges);
   add("EulerCharacteristic", result.topology.mesh.eulerCharacteristic);
   add("TopologyPreserved", result.topology.preserved() ? 1 : 0);

@@ -69,6 +69,7 @@ inline Trial keepingMesh(
   { return arrayOf(trial.mesh->GetFieldData(), name)->GetComponent(0, 0); };
   CHECK_EQUAL(fact("NumberOfNonManifoldEdges"), nonManifold);
   CHECK_EQUAL(fact("NumberOfFlippedTriangles"), 0.0);
+  CHECK_EQUAL(fact("NumberOfStrayTriangles"), 0.0);
   CHECK_EQUAL(fact("TopologyPreserved"), nonManifold > 0.0 ? 0.0 : 1.0);
   return trial;
 }

@@ -55,21 +55,39 @@ void testExtraPoints()
   checkWarning("two sheets", filter, "points more than asked for");
 }
 
-/** Two spheres, the inner one turned inside out, closer than the sagitta of their triangles. */
-void testStrays()
+/** Two spheres, the inner one of this radius and turned inside out. */
+vtkSmartPointer<vtkPolyData> shellOf(double radius)
 {
   TriangleSoup shell = icosphere(4);
-  TriangleSoup inner = icosphere(4);
-  for (Point3& point : inner.points)
+  TriangleSoup inner = scaled(icosphere(4), radius);
+  for (std::size_t t = 0; t < inner.triangles.size(); ++t)
   {
-    point *= 0.99;
-  }
-  for (auto& triangle : inner.triangles)
-  {
-    std::swap(triangle[1], triangle[2]);
+    flip(inner, t);
   }
   append(shell, inner, Point3::Zero());
-  checkWarning("a thin shell", remesherOf(polyDataOf(shell), 100), "closer to another part");
+  return polyDataOf(shell);
+}
+
+vtkIdType straysOf(vtkAnisotropicRemesher* filter)
+{
+  const auto strays = arrayOf(filter->GetOutput()->GetFieldData(), "NumberOfStrayTriangles");
+  return static_cast<vtkIdType>(strays->GetComponent(0, 0));
+}
+
+/** Sheets closer to each other than the sagitta of their triangles, everywhere or here and there.
+ */
+void testStrays()
+{
+  for (const double radius : { 0.97, 0.99 })
+  {
+    const auto filter = remesherOf(shellOf(radius), 100);
+    checkWarning("a thin shell", filter, "closer to another part");
+    const vtkIdType strays = straysOf(filter);
+    const vtkIdType triangles = filter->GetOutput()->GetNumberOfPolys();
+    CHECK(radius > 0.98 ? strays > triangles / 4 : strays > 0 && strays < triangles / 8);
+    filter->Modified();
+    checkWarning("again", filter, std::to_string(strays) + " triangles are closer");
+  }
 }
 
 /** A surface that goes through itself, between rims that all but touch. */

@@ -230,7 +230,7 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start,
   const RunControl& control, std::vector<Triple>& triangles, Placement& placement)
 {
-  placement.strays = 0;
+  placement.wrongWay = 0;
   const WholeSurface whole(problem.mesh, control);
   std::vector<char> suspects;
   Status status =
@@ -247,7 +247,7 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   status = search.find(
     triangles, placement.positions, control, strays, faceOwnCells ? &suspects : nullptr);
   const auto before = static_cast<Offset>(strays.size());
-  placement.strays = before;
+  placement.wrongWay = before;
   if (!status.ok() || before == placement.repair.flippedTriangles ||
     before > mostStrays(static_cast<Offset>(triangles.size())))
   {
@@ -270,7 +270,7 @@ Status mendStrays(const PlacementProblem& problem, const NearbySurface& own,
   {
     triangles = std::move(turned);
     placement.positions = std::move(positions);
-    placement.strays = repair.flippedTriangles;
+    placement.wrongWay = repair.flippedTriangles;
     placement.repair.flippedTriangles = after;
     placement.repair.movedVertices += repair.movedVertices;
     placement.repair.flippedEdges += repair.flippedEdges;

@@ -11,6 +11,8 @@
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 
+#include <algorithm>
+
 namespace remesh
 {
 enum class VertexPlacement
@@ -26,7 +28,13 @@ struct Placement
   std::vector<Point3> positions; ///< K, R^3, the unit of the points
   FlipRepair repair;
   /** Triangles left that face the closest part of the whole surface the wrong way. */
-  Offset strays = 0;
+  Offset wrongWay = 0;
+
+  /** Those of them that face their own cells' facets along (StrayTriangles.h). */
+  Offset strays() const
+  {
+    return std::max(this->wrongWay - this->repair.flippedTriangles, Offset(0));
+  }
 };
 
 /**
