@@ -74,6 +74,14 @@ void measureExactness(Workshop& workshop, CaseResult& result)
   result.measurements.push_back(one);
 }
 
+void measureShell(Workshop& workshop, CaseResult& result)
+{
+  const Surface surface = thinShell(static_cast<double>(workshop.shrunk(4e4)));
+  Measurement one = described(surface, workshop.shrunk(100), workshop.settings());
+  one.figures = filterRun(surface.data, one.points, workshop.settings());
+  result.measurements.push_back(one);
+}
+
 void measureWideRun(Workshop& workshop, CaseResult& result)
 {
   const WideRun wide = { static_cast<int>(workshop.shrunk(1e5)),
@@ -127,6 +135,7 @@ const std::vector<Case>& allCases()
     runCase("1.4M-1M", true, 1e6),
     { "energy-86k-10k", "how far from converged a default run ends", measureEnergy },
     { "exact-86k-10k", "what exact decisions cost over their filters alone", measureExactness },
+    { "shell-40k-100", "the filter on two sheets, far closer than the points", measureShell },
     { "wide-100k-1k", "the filter in 5000 dimensions", measureWideRun },
     { "scaling-size", "over triangles m and points n: the fit a m + b n", scaleSize },
     { "scaling-ratio", "over a factor of 100 at fixed m / n: the exponent", scaleRatio },

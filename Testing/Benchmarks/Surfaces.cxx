@@ -46,6 +46,44 @@ double tubeRadius(double u, double v)
     (1.0 + 0.12 * std::sin(3.0 * u + 2.0 * v) + 0.05 * std::sin(7.0 * u - 5.0 * v + 1.0) +
       0.02 * std::sin(19.0 * u + 11.0 * v + 2.0));
 }
+
+/**
+ * Bumpy toruses inside each other, of about so many triangles each.
+ *
+ * @param factors of their tubes' radii; where one is negative, the inside is the front.
+ */
+vtkSmartPointer<vtkPolyData> torusOf(double triangles, const std::vector<double>& factors)
+{
+  // nu x nv squares of two triangles each, twice as many around as across.
+  const int nv = std::max(8, static_cast<int>(std::lround(std::sqrt(0.25 * triangles))));
+  const int nu = 2 * nv;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const double factor : factors)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    const auto id = [=](int i, int j) { return first + vtkIdType{ i % nu } * nv + j % nv; };
+    for (int i = 0; i < nu; ++i)
+    {
+      for (int j = 0; j < nv; ++j)
+      {
+        const double u = 2.0 * pi * i / nu;
+        const double v = 2.0 * pi * j / nv;
+        const double r = std::abs(factor) * tubeRadius(u, v);
+        const double ring = 1.0 + r * std::cos(v);
+        points->InsertNextPoint(ring * std::cos(u), ring * std::sin(u), r * std::sin(v));
+        const int beside = factor < 0.0 ? j : j + 1;
+        const int along = factor < 0.0 ? j + 1 : j;
+        cells->InsertNextCell({ id(i, along), id(i + 1, along), id(i + 1, beside) });
+        cells->InsertNextCell({ id(i, along), id(i + 1, beside), id(i, beside) });
+      }
+    }
+  }
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return data;
+}
 }
 
 Surface scan(const std::string& folder)
@@ -67,29 +105,12 @@ Surface scan(const std::string& folder)
 
 Surface bumpyTorus(double triangles)
 {
-  // nu x nv squares of two triangles each, twice as many around as across.
-  const int nv = std::max(8, static_cast<int>(std::lround(std::sqrt(0.25 * triangles))));
-  const int nu = 2 * nv;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  const auto id = [=](int i, int j) { return vtkIdType{ i % nu } * nv + j % nv; };
-  for (int i = 0; i < nu; ++i)
-  {
-    for (int j = 0; j < nv; ++j)
-    {
-      const double u = 2.0 * pi * i / nu;
-      const double v = 2.0 * pi * j / nv;
-      const double r = tubeRadius(u, v);
-      const double ring = 1.0 + r * std::cos(v);
-      points->InsertNextPoint(ring * std::cos(u), ring * std::sin(u), r * std::sin(v));
-      cells->InsertNextCell({ id(i, j), id(i + 1, j), id(i + 1, j + 1) });
-      cells->InsertNextCell({ id(i, j), id(i + 1, j + 1), id(i, j + 1) });
-    }
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return { "bumpy torus", data.Get(), "" };
+  return { "bumpy torus", torusOf(triangles, { 1.0 }), "" };
+}
+
+Surface thinShell(double triangles)
+{
+  return { "thin shell", torusOf(0.5 * triangles, { 1.0, -0.99 }), "" };
 }
 
 Surface subdivided(const Surface& surface)

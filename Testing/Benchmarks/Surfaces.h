@@ -31,6 +31,9 @@ Surface scan(const std::string& folder);
 /** A torus with waves of several lengths on it, of about this many triangles. */
 Surface bumpyTorus(double triangles);
 
+/** The same with a wall: another inside it, turned over, so close that points of both are near. */
+Surface thinShell(double triangles);
+
 /** Each triangle cut into 16: Loop's scheme, twice. */
 Surface subdivided(const Surface& surface);
 
