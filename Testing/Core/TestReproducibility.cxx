@@ -8,6 +8,7 @@
 
 #include "vtkSMPTools.h"
 
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -229,6 +230,23 @@ void testEmbedding(const SurfaceMesh& mesh)
   }
 }
 
+/** Energies with weights, from facet to facet. */
+void testDensity(const SurfaceMesh& mesh)
+{
+  std::vector<double> densities;
+  for (const Triple& points : mesh.facetPoints)
+  {
+    densities.push_back(std::exp(mesh.points[points[0]].x()));
+  }
+  EmbeddedSurface surface = test::embedded(mesh, 6);
+  weightByDensity(densities, surface);
+  RemeshOptions options;
+  options.numberOfSites = 400;
+  options.lloydIterations = 2;
+  options.quasiNewton.iterations = 4;
+  checkCase(mesh, surface, options);
+}
+
 /** Patches that are moved apart, their copies of sites, and the fit. */
 void testFeatures()
 {
@@ -257,6 +275,7 @@ int TestReproducibility(int, char*[])
   testIntake();
   testEmbedding(fine);
   testFeatures();
+  testDensity(fine);
   for (const int d : { 3, 6 })
   {
     RemeshOptions options;
