@@ -144,6 +144,12 @@ void SetPoints(Options& options, const std::string& value)
   options.NumberOfPoints = ParseInteger("--points", value, Limits::min(), Limits::max());
 }
 
+void SetMaximumPoints(Options& options, const std::string& value)
+{
+  options.MaximumPoints =
+    ParseInteger("--max-points", value, 4, std::numeric_limits<long long>::max());
+}
+
 void AddCoordinates(Options& options, const std::string& value)
 {
   options.Coordinates.push_back(ParseCoordinates("--coordinates", value));
@@ -160,17 +166,20 @@ std::vector<Option> MakeTable()
       "Instead of --points: as many as keep mesh and surface within this distance of each other, a "
       "fraction of the bounding-box diagonal, 0 to 1. Not with --initial-sites. Default 0: off.",
       Number("--tolerance", &Options::Tolerance, 0.0, 1.0) },
+    { "--max-points", "N", "The most points that --tolerance may take, from 4. Default 1000000.",
+      SetMaximumPoints },
     { "--anisotropy", "S",
       "How much the normals count, as a fraction of the bounding-box diagonal, 0 to 1. "
       "Default 0.04; usual are 0.02 to 0.1; 0 is isotropic.",
       Number("--anisotropy", &Options::Anisotropy, 0.0, 1.0) },
-    { "--no-features", "", "Do not keep creases, corners and borders of the surface.",
+    { "--no-features", "", "Do not keep creases, corners, borders and non-manifold edges.",
       Flag(&Options::PreserveFeatures, false) },
     { "--feature-angle", "DEG",
-      "Creases are edges whose facets' normals differ by more than this angle, 0 to 180. "
-      "Default 35.",
+      "Creases are edges whose facets' normals differ by more than this angle in degrees, "
+      "0 to 180. Default 35.",
       Number("--feature-angle", &Options::FeatureAngle, 0.0, 180.0) },
-    { "--labels", "ARRAY", "Also keep the edges between different values of this cell array.",
+    { "--labels", "ARRAY",
+      "Also keep the edges between different values of this cell array, but for --no-features.",
       Text("--labels", &Options::Labels) },
     { "--density", "ARRAY",
       "Point array of numbers above 0: the spacing of the points follows its power of -1/4.",
@@ -207,7 +216,8 @@ std::vector<Option> MakeTable()
     { "--coordinates", "NAME=SCALE",
       "Append a point array, times a scale, to position and normal. Can be repeated.",
       AddCoordinates },
-    { "--initial-sites", "F", "Start from the points of this file; their number replaces --points.",
+    { "--initial-sites", "F",
+      "Start from the points of this file; their number replaces --points. Features are not kept.",
       Text("--initial-sites", &Options::InitialSites) },
     { "--merge-tolerance", "T",
       "Merge input points closer than this fraction of the bounding-box diagonal, 0 to 0.1. "
@@ -219,23 +229,26 @@ std::vector<Option> MakeTable()
       "Do not grow the first sites from a quarter as many that take a few iterations first.",
       Flag(&Options::CoarseStart, false) },
     { "--placement", "P",
-      "Where the points are put: centroid or quadric of their cells, surface (the closest point), "
-      "or fit (default): where all triangles together are closest to the surface.",
+      "Where the points are put: centroid of their cells, surface (the point closest to that), "
+      "quadric (where the planes of the cell's triangles are closest), or fit (default): where all "
+      "triangles together are closest to the surface.",
       Choice("--placement", &Options::Placement, { "centroid", "surface", "quadric", "fit" }) },
     { "--no-distance", "",
       "Do not measure how far mesh and surface are from each other, which the report tells else.",
       Flag(&Options::MeasureDistance, false) },
     { "--cells", "F.vtp", "Write the restricted Voronoi cells.", Text("--cells", &Options::Cells) },
     { "--sites", "F.vtp", "Write the sites.", Text("--sites", &Options::Sites) },
-    { "--edges", "F.vtp", "Write the borders between the cells and of the surface.",
+    { "--edges", "F.vtp",
+      "Write the borders of cells and surface, creases that are kept and non-manifold edges.",
       Text("--edges", &Options::Edges) },
     { "--embedded-surface", "F.vtp",
       "Write the input with its embedding, the point array Embedding: what the mesh is made on, "
       "but for creases that are kept, which have a normal for each side there.",
       Text("--embedded-surface", &Options::EmbeddedSurface) },
-    { "--convergence", "F.csv", "Write energy and gradient of each iteration.",
+    { "--convergence", "F.csv", "Write energy, gradient, step length and time of each iteration.",
       Text("--convergence", &Options::Convergence) },
-    { "--report", "F.json", "Write parameters, sizes, energy, times and memory.",
+    { "--report", "F.json",
+      "Write parameters, sizes, faults, distances, energy, times, memory and warnings.",
       Text("--report", &Options::Report) },
     { "--quiet", "", "No progress bar, no warnings.", Flag(&Options::Quiet) },
     { "--version", "", "Print the version and stop.", Flag(&Options::Version) },

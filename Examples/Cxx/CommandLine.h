@@ -22,7 +22,8 @@ struct Options
   std::string Output;
 
   long long NumberOfPoints = 10000;
-  double Tolerance = 0.0;   // fraction of the bounding-box diagonal; 0: none
+  double Tolerance = 0.0; // fraction of the bounding-box diagonal; 0: none
+  long long MaximumPoints = 1000000;
   double Anisotropy = 0.04; // fraction of the bounding-box diagonal
   bool PreserveFeatures = true;
   double FeatureAngle = 35.0;  // degrees

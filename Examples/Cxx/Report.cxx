@@ -29,6 +29,7 @@ void AddParameters(JsonWriter& json, const Options& options)
   json.BeginObject("parameters");
   json.Add("points", options.NumberOfPoints);
   json.Add("tolerance", options.Tolerance);
+  json.Add("max_points", options.MaximumPoints);
   json.Add("anisotropy", options.Anisotropy);
   json.Add("features", options.PreserveFeatures);
   json.Add("feature_angle", options.FeatureAngle);

@@ -207,6 +207,7 @@ void Remesh(Run& run)
   vtkAnisotropicRemesher* remesher = run.Remesher;
   remesher->SetNumberOfPoints(options.NumberOfPoints);
   remesher->SetDistanceTolerance(options.Tolerance);
+  remesher->SetMaximumNumberOfPoints(options.MaximumPoints);
   remesher->SetPreserveFeatures(options.PreserveFeatures);
   remesher->SetMaximumNumberOfExtraPoints(options.MaximumExtraPoints);
   remesher->SetFeatureAngle(options.FeatureAngle);

@@ -94,7 +94,7 @@ class TestUsage(CommandLineTest):
         self.succeed(self.input(), "out.vtp", "--initial-sites", "s.vtp", "--report", "r.json")
         with open(self.path("r.json"), encoding="utf-8") as file:
             used = json.load(file)["parameters"]
-        for name in ("points", "tolerance", "anisotropy", "feature-angle", "max-extra-points",
+        for name in ("points", "tolerance", "max-points", "anisotropy", "feature-angle", "max-extra-points",
                      "lloyd", "newton", "seed", "sampling", "threads", "backend",
                      "normal-smoothing", "merge-tolerance", "placement"):
             with self.subTest(name=name):
@@ -266,6 +266,17 @@ class TestResults(CommandLineTest):
         self.succeed(self.input(), "few.vtp", "--tolerance", "3e-3", "--points", "0",
                      "--embedded-surface", "x.vtp")
         self.assertEqual(content(self.path("few.vtp")), content(self.path("out.vtp")))
+
+    def test_max_points(self):
+        result = self.run_program(self.input(), "out.vtp", "--tolerance", "3e-3", "--max-points",
+                                  "100", "--report", "r.json")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("more than the 100 points allowed", result.stderr)
+        with open(self.path("r.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        self.assertEqual(report["parameters"]["max_points"], 100)
+        self.assertEqual(report["output"]["points"], 100)
+        self.fail_with(2, "--max-points", self.input(), "few.vtp", "--max-points", "3")
 
     def test_density(self):
         # Half the spacing for x > 0: four times as many points, but for the triangles between.
