@@ -15,9 +15,9 @@
  * thin parts and at tips, sites are added, and those that matter least are taken away, until it is
  * or nothing helps any more; then the mesh may have more points (`MaximumNumberOfExtraPoints`). If
  * even that fails, the best of these meshes is given back, with a warning. Sites are sent to
- * triangles that face against the surface, likewise; a warning tells of those that are left. All
- * this is no part of the optimisation: `Convergence` ends before it, and nothing is changed when
- * both numbers of iterations are 0.
+ * triangles that face against the surface, likewise, and to strays, if they are few; a warning
+ * tells of those that are left. All this is no part of the optimisation: `Convergence` ends before
+ * it, and nothing is changed when both numbers of iterations are 0.
  *
  * There is a warning, too, where the RMS distance is above a tenth of the points' mean spacing,
  * unless `MeasureDistance` is off, a tolerance is set, or initial sites are given: the mesh then
@@ -86,7 +86,7 @@ public:
    * most of the mesh is within the tolerance, points are added where it is not. Creases too small
    * for the spacing are then kept, too, where they take fewer points. There may be
    * ten such rounds or more, each with a diagram and a placement: count on ten times a run with the
-   * number of points that come out. Not with given initial sites.
+   * number of points that come out. Not with given initial sites, which a warning tells.
    */
   vtkSetClampMacro(DistanceTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(DistanceTolerance, double);
@@ -97,7 +97,7 @@ public:
 
   ///@{
   /**
-   * The most points that `DistanceTolerance` may take, from 4; default 1000000. Some percent more
+   * The most points that `DistanceTolerance` may take, from 4, default 1000000; some percent more
    * where the last cells are not connected.
    */
   vtkSetClampMacro(MaximumNumberOfPoints, vtkIdType, 4, VTK_ID_MAX);
@@ -139,9 +139,9 @@ public:
 
   /**
    * A cell array whose values label regions of the surface: edges between different values are
-   * features, too. Input array to process 2. nullptr or "": none (default). Numbers of any number
-   * of components, or strings; one that the input lacks is an error when the filter runs, also
-   * where features are not preserved.
+   * features, too. Input array to process 2. nullptr, "" or "None": none (default). Numbers of any
+   * number of components, or strings; one that the input lacks is an error when the filter runs,
+   * also where features are not preserved.
    */
   void SetFeatureLabelArray(const char* name);
 
@@ -156,9 +156,9 @@ public:
    * By how many points the mesh may exceed `NumberOfPoints` where it cannot have the topology of
    * the surface otherwise: ONE_PERCENT (-2, default) of them, UNLIMITED (-1), or a number; 0
    * forbids. Each component and patch has a few at least; a warning tells of more than allowed.
-   * Where features alone take more than `NumberOfPoints`, they count from there. With a tolerance,
-   * ONE_PERCENT is of the number that each run has. The field array `NumberOfExtraPoints` of port 0
-   * tells by how many it does, for whatever reason.
+   * Where features alone take more than `NumberOfPoints`, the extra points count from their number.
+   * With a tolerance, ONE_PERCENT is of the number that each run has. The field array
+   * `NumberOfExtraPoints` of port 0 tells by how many it does, for whatever reason.
    */
   vtkSetClampMacro(MaximumNumberOfExtraPoints, vtkIdType, ONE_PERCENT, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfExtraPoints, vtkIdType);

@@ -19,10 +19,10 @@
  *
  * Input arrays to process: 0, the point normals (default: the active ones; used as they are;
  * if there are none, normals are estimated, weighted by angle, and smoothed as
- * `NormalSmoothingPasses` tells); 1, the embedding
- * array (default: none). Each can be chosen by name ("" or "None": none) or as the active array of
- * an attribute type; a choice that the input has not is an error when the filter runs, but for
- * active normals.
+ * `NormalSmoothingPasses` tells); 1, the embedding array (default: none). Each can be chosen by
+ * name
+ * ("" or "None": none) or as the active array of an attribute type; a choice that the input lacks
+ * is an error when the filter runs, but for active normals.
  *
  * @par Reference:
  * B. Levy, N. Bonneel: Variational Anisotropic Surface Meshing with Voronoi Parallel Linear
@@ -98,7 +98,7 @@ public:
   /**
    * Root mean square distance over which estimated normals are smoothed, in the unit of the points;
    * 0: they are not. Below 0, default -1: as `NormalSmoothingPasses` tells, which a radius
-   * overrides. What vtkAnisotropicRemesher took the field data of its mesh tells
+   * overrides. The field data of vtkAnisotropicRemesher's mesh tells which it took
    * (`NormalSmoothingRadius`): with that, other filters work on the same surface in R^d, but for
    * features, along which it alone cuts, and needles, whose normals it alone leaves out.
    */
@@ -130,8 +130,8 @@ public:
   ///@}
 
   /**
-   * The point array that replaces the embedding: input array to process 1. nullptr or "": none.
-   * Shape: one tuple of d >= 2 finite components per input point, in any unit.
+   * The point array that replaces the embedding: input array to process 1. nullptr, "" or "None":
+   * none. Shape: one tuple of d >= 2 finite components per input point, in any unit.
    */
   void SetEmbeddingArray(const char* name);
 

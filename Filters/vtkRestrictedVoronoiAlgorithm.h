@@ -25,15 +25,17 @@
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
  * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose normal makes
  * more than 90 degrees with the surface's closest to their centre, among what their points' cells
- * meet, or whose corners are all but collinear), `NumberOfStrayTriangles` (others that do so with
- * another part of the surface, which is closer, as where the chords of one sheet are as deep as the
- * next is near), `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `NumberOfExtraPoints` (points beyond those asked for, or, where sites are
- * given, features are not preserved or there is a distance tolerance, beyond the number of sites),
- * `Seed`; with MeasureDistance `MaximumDistance` (the largest found from mesh to surface or back;
- * with a distance tolerance a bound that no point passes) and `RMSDistance` (root of the mean of
- * both mean squares), in the unit of the points; `NormalSmoothingRadius`, the distance over which
- * estimated normals were smoothed, 0 if they were not; absent where none are estimated or none
- * count, or passes were asked for.
+ * meet, or whose corners are all but collinear), `NumberOfStrayTriangles` (others, whose normal
+ * makes more than 90 degrees with that of another part of the surface that is closer to their
+ * centre, as where two sheets are closer to each other than a chord is to its arc),
+ * `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `NumberOfExtraPoints`
+ * (points beyond those asked for, or, where sites are given, features are not preserved or there is
+ * a distance tolerance, beyond the number of sites; below 0: fewer), `Seed`; with MeasureDistance
+ * `MaximumDistance` (the largest found from mesh to surface or back; with a distance tolerance a
+ * bound that no point passes) and `RMSDistance` (root of the mean of both mean squares), in the
+ * unit of the points; `NormalSmoothingRadius`, the distance over which estimated normals were
+ * smoothed, 0 if they were not; absent where none are estimated or none count, or passes were asked
+ * for.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball
@@ -116,10 +118,10 @@ public:
 
   /**
    * A point array that weights the energy: where it is large, points are dense. Input array to
-   * process 3. nullptr or "": none (default), the same weight everywhere. One component, finite and
-   * above 0 at all points that polygons use, and no value 1e40 times another, else an error when
-   * the filter runs; only ratios matter. Each triangle of the surface takes the mean of its
-   * corners.
+   * process 3. nullptr, "" or "None": none (default), the same weight everywhere. One component,
+   * finite and above 0 at all points that polygons use, and no value 1e40 times another, else an
+   * error when the filter runs; only ratios matter. Each triangle of the surface takes the mean of
+   * its corners.
    *
    * The minimised energy is the integral of the density times the squared distance to the site: the
    * spacing of the points becomes proportional to density^(-1/4), their number per area to
@@ -150,9 +152,9 @@ public:
   ///@{
   /**
    * Whether to measure how far mesh and surface are from each other (default on): the field arrays
-   * `MaximumDistance` and `RMSDistance` of port 0. Looks from up to 100 000 triangles of each,
-   * from one to three places of a triangle; a tenth to a fifth of a default run (most for few
-   * points). A distance tolerance measures in any case.
+   * `MaximumDistance` and `RMSDistance` of port 0. Looks from 20 000 to 120 000 places of each, on
+   * up to 100 000 triangles; a tenth to a fifth of a default run (most for few points). A distance
+   * tolerance measures in any case.
    */
   vtkSetMacro(MeasureDistance, bool);
   vtkGetMacro(MeasureDistance, bool);

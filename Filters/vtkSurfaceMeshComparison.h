@@ -20,7 +20,8 @@
  *   normal and that of the reference's triangle closest to its centroid; of several that are
  *   equally close, the one that faces most alike; NaN for a triangle without area), `Flipped` (1
  *   where that is above 90), and point arrays `Distance` to the reference and `SignedDistance`
- *   (negative behind the reference, against its normals).
+ *   (negative behind the reference, against its normals). What vtkAnisotropicRemesher tells as
+ *   flipped or stray triangles is `Flipped`, as a rule.
  * - 1 `Reference`: the reference with the point arrays `Distance` to the mesh and `SignedDistance`,
  *   and unlike port 0 with all its cells as they are, also those that take no part, as ghost cells
  *   and their marks; empty without a reference.
@@ -37,8 +38,8 @@
  *   `NumberOfBoundaryEdges`, `NumberOfNonManifoldEdges` (of more than two triangles),
  *   `NumberOfNonManifoldPoints` (where triangles form more than one fan), `NumberOfDuplicatePoints`
  *   (at the coordinates of another), `NumberOfDuplicateTriangles`, `NumberOfDegenerateTriangles`
- *   and `IsConsistentlyOriented`; with a reference, the same of it with the prefix `Reference`,
- *   after points with equal coordinates were merged.
+ *   and `IsConsistentlyOriented`; with a reference, those from `NumberOfPoints` on of it, too, with
+ *   the prefix `Reference`, after points with equal coordinates were merged.
  * - 3 `Histograms`: a table of `NumberOfBins` rows. `Quality` (0 to 1), `MinimumAngle` (0 to 60)
  *   and, with a reference, `NormalDeviation` (0 to 180) are the middles of the bins,
  *   `QualityTriangles`, `MinimumAngleTriangles` and `NormalDeviationTriangles` the counts.

@@ -24,8 +24,8 @@ inline constexpr Names meshPointNames = { "SiteId", "ComponentId", "CellArea", "
 
 /** Field arrays of a diagram filter's mesh, which no other port has. */
 inline constexpr Names meshFactNames = { "NumberOfFlippedTriangles", "NumberOfNonManifoldEdges",
-  "NumberOfStrayTriangles", "EulerCharacteristic", "TopologyPreserved", "NumberOfExtraPoints", "Seed",
-  "NormalSmoothingRadius", "MaximumDistance", "RMSDistance" };
+  "NumberOfStrayTriangles", "EulerCharacteristic", "TopologyPreserved", "NumberOfExtraPoints",
+  "Seed", "NormalSmoothingRadius", "MaximumDistance", "RMSDistance" };
 
 /** Cell arrays of a compared mesh. */
 inline constexpr Names comparedCellNames = { "Quality", "MinimumAngle", "RadiusRatio", "EdgeRatio",

@@ -58,7 +58,7 @@ void tellWrongTriangles(const RemeshResult& result, std::vector<std::string>& wa
       (flipped == 1 ? " triangle faces" : " triangles face") +
       " the surface the wrong way. More points or less anisotropy help.");
   }
-  else if (const Offset strays = result.placement.strays(); strays > 0)
+  if (const Offset strays = result.placement.strays(); strays > 0)
   {
     warnings.push_back(std::to_string(strays) + (strays == 1 ? " triangle is" : " triangles are") +
       " closer to another part of the surface than to " + (strays == 1 ? "its" : "their") +
