@@ -21,6 +21,9 @@
 #include <chrono>
 #include <functional>
 #include <iterator>
+#include <map>
+#include <string>
+#include <vector>
 
 vtkRestrictedVoronoiAlgorithm::vtkRestrictedVoronoiAlgorithm()
 {
@@ -177,104 +180,99 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
   }
   return remesh::Status::success();
 }
+
+/** The mesh for a number of points, or for given sites. */
+remesh::Status makeMesh(const remesh::NumberRequest& request, bool measuresDistance,
+  const remesh::RunControl& control, remesh::RemeshOptions& options, remesh::NumberOutcome& outcome)
+{
+  const remesh::Status status = remesh::remeshWithNumber(request, options, control, outcome);
+  return status.ok() && measuresDistance
+    ? remesh::findDistance(outcome.prepared.mesh, control.silent(), outcome.result)
+    : status;
+}
+
+/** Wall time by phase, but for that of the outputs. */
+std::map<std::string, double> secondsOf(const remesh::NumberOutcome& outcome)
+{
+  const remesh::RemeshResult::Seconds& seconds = outcome.result.seconds;
+  return { { "intake", outcome.intakeSeconds }, { "sampling", seconds.sampling },
+    { "lloyd", seconds.lloyd }, { "newton", seconds.newton }, { "repair", seconds.repair },
+    { "diagram", seconds.diagram }, { "placement", seconds.placement },
+    { "distance", seconds.distance } };
+}
 }
 
 int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, remesh::RemeshOptions& options, vtkPointSet* sites, int seed)
 {
-  using Clock = std::chrono::steady_clock;
-  const auto secondsSince = [](Clock::time_point start)
-  { return std::chrono::duration<double>(Clock::now() - start).count(); };
-
   auto& facts = this->Internals->LastRun;
   facts = {};
   const remesh::RunControl control = remesh::makeRunControl(this);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   remesh::NumberOutcome outcome;
   remesh::PreparedSurface& prepared = outcome.prepared;
-  remesh::GivenSites& given = outcome.given;
-  remesh::RemeshResult& result = outcome.result;
-  const remesh::DiagramSource source{ input, prepared, result, given.places, seed,
+  const remesh::DiagramSource source{ input, prepared, outcome.result, outcome.given.places, seed,
     control.silent() };
   const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
     this->MaximumCellEmbeddingDimension };
-
   const bool writesDiagram =
     choice.VoronoiCells || choice.Edges || input->GetCellData()->GetNumberOfArrays() > 0;
+  const remesh::ToleranceRequest& tolerance = this->Internals->Tolerance;
+  const bool hasNumber = !(tolerance.tolerance > 0.0);
 
-  const auto write = [&]()
-  {
-    const Clock::time_point start = Clock::now();
-    if (!writesDiagram)
-    {
-      result.diagram = {}; // room for the ports
-    }
-    remesh::Status status =
-      writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
-    facts.Seconds["placement"] = result.seconds.placement;
-    facts.Seconds["diagram"] = result.seconds.diagram + secondsSince(start);
-    return status;
-  };
   const auto ended = vtkInternals::Execute(this, outputVector,
     [&]() -> remesh::Status
     {
       remesh::PreparationRequest request;
       remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
+      if (!status.ok())
+      {
+        return status;
+      }
       options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
+      options.keepDiagram = writesDiagram || !hasNumber;
       request.numberOfSites = sites ? sites->GetNumberOfPoints() : options.numberOfSites;
       request.mayLend = true;
       // Only the cells show the coordinates.
       request.mostKeptDimensions = choice.VoronoiCells ? choice.LargestDimension : 0;
-      const remesh::ToleranceRequest& tolerance = this->Internals->Tolerance;
-      if (status.ok() && tolerance.tolerance > 0.0)
-      {
-        status = remesh::remeshWithin(
-          tolerance, { input, nullptr, request }, options, control.part(0.0, 0.95), outcome);
-        facts.Seconds["intake"] = outcome.intakeSeconds;
-        facts.Intake = prepared.intake;
-        return status.ok() ? write() : status;
-      }
-      if (status.ok())
-      {
-        options.keepDiagram = writesDiagram;
-        status = remesh::remeshWithNumber(
-          { input, sites, request }, options, control.part(0.0, 0.95), outcome);
-        facts.Seconds["intake"] = outcome.intakeSeconds;
-      }
+      const remesh::RunControl making = control.part(0.0, 0.95);
+      status = hasNumber
+        ? makeMesh({ input, sites, request }, this->MeasureDistance, making, options, outcome)
+        : remesh::remeshWithin(tolerance, { input, nullptr, request }, options, making, outcome);
       facts.Intake = prepared.intake;
-      if (status.ok() && this->MeasureDistance)
+      facts.Seconds = secondsOf(outcome);
+      if (!status.ok())
       {
-        const Clock::time_point measuring = Clock::now();
-        status = remesh::findDistance(prepared.mesh, control.silent(), result);
-        facts.Seconds["distance"] = secondsSince(measuring);
+        return status;
       }
-      return status.ok() ? write() : status;
+      const auto start = std::chrono::steady_clock::now();
+      if (!writesDiagram)
+      {
+        outcome.result.diagram = {}; // room for the ports
+      }
+      status = writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
+      const std::chrono::duration<double> writing = std::chrono::steady_clock::now() - start;
+      facts.Seconds["diagram"] += writing.count();
+      return status;
     });
   if (ended != vtkInternals::Outcome::Done)
   {
     return ended == vtkInternals::Outcome::Nothing;
   }
-  const bool hasNumber = !(this->Internals->Tolerance.tolerance > 0.0);
   std::vector<std::string> warnings = remesh::warningsOf(outcome, options, hasNumber);
-  const std::string distribution = remesh::describeDistribution(inputVector[0]);
-  if (!distribution.empty())
-  {
-    warnings.push_back(distribution);
-  }
+  warnings.push_back(remesh::describeDistribution(inputVector[0]));
   for (const std::string& warning : warnings)
   {
-    vtkWarningMacro(<< warning);
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
-
   facts.Dimension = prepared.surface.dimension;
-  facts.Iterations = result.convergence.rows.back().iteration;
-  facts.Evaluations = result.evaluations;
-  facts.TopologyReport = result.topology.describe();
-  facts.Energy = result.sums.totalEnergy * source.energyUnit() * source.densityUnit();
-  facts.Seconds["sampling"] = result.seconds.sampling;
-  facts.Seconds["lloyd"] = result.seconds.lloyd;
-  facts.Seconds["newton"] = result.seconds.newton;
-  facts.Seconds["repair"] = result.seconds.repair;
+  facts.Iterations = outcome.result.convergence.rows.back().iteration;
+  facts.Evaluations = outcome.result.evaluations;
+  facts.TopologyReport = outcome.result.topology.describe();
+  facts.Energy = outcome.result.sums.totalEnergy * source.energyUnit() * source.densityUnit();
   return 1;
 }
 

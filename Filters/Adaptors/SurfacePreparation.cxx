@@ -186,6 +186,46 @@ Status makeCoordinates(vtkPolyData* input, const PreparationRequest& request, bo
   }
   return Status::success();
 }
+
+/** The surface in R^d, from the coordinates. */
+Status embed(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
+  PreparedSurface& prepared)
+{
+  CornerCoordinates& made = prepared.coordinates;
+  const bool keep = made.isLent() || made.dimension <= request.mostKeptDimensions;
+  CornerCoordinates coordinates = keep ? made : std::exchange(made, CornerCoordinates());
+  Status status = embedSurface(prepared.mesh, std::move(coordinates), control, prepared.surface);
+  if (status.ok() && request.density)
+  {
+    std::vector<double> densities;
+    status =
+      readFacetDensities(prepared.mesh, request.density, input->GetNumberOfPoints(), densities);
+    if (status.ok())
+    {
+      weightByDensity(densities, prepared.surface);
+    }
+  }
+  if (status.ok() && prepared.features && prepared.features->numberOfPatches > 1)
+  {
+    separatePatches(
+      prepared.features->facetPatches, prepared.features->numberOfPatches, prepared.surface);
+  }
+  return status;
+}
+
+void tellIntake(const IntakeReport& intake, std::vector<std::string>& warnings)
+{
+  if (!intake.orientable)
+  {
+    warnings.push_back("The surface is not orientable: the mesh cannot be oriented consistently.");
+  }
+  if (intake.nearBorderPoints > 0)
+  {
+    warnings.push_back("Points on the border are other ones there but for rounding: " +
+      std::to_string(intake.nearBorderPoints) +
+      ". A MergeTolerance, of 1e-12 say, makes them one and closes the slit between them.");
+  }
+}
 }
 
 Status readFeatureOptions(vtkPolyData* input, const PreparationRequest& request,
@@ -216,53 +256,18 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   {
     return status;
   }
-  if (!prepared.intake.orientable)
-  {
-    prepared.warnings.push_back(
-      "The surface is not orientable: the mesh cannot be oriented consistently.");
-  }
-  if (prepared.intake.nearBorderPoints > 0)
-  {
-    prepared.warnings.push_back("Points on the border are other ones there but for rounding: " +
-      std::to_string(prepared.intake.nearBorderPoints) +
-      ". A MergeTolerance, of 1e-12 say, makes them one and closes the slit between them.");
-  }
+  tellIntake(prepared.intake, prepared.warnings);
   if (Status status = takeFeatures(input, request, progress, prepared); !status.ok())
   {
     return status;
   }
   progress.enterPhase("Embedding", 0.7, 1.0);
   bool estimated = false;
-  if (Status status = findNormals(input, request, progress.step(0, 3), prepared, estimated);
-      !status.ok())
+  Status status = findNormals(input, request, progress.step(0, 3), prepared, estimated);
+  if (status.ok())
   {
-    return status;
+    status = makeCoordinates(input, request, estimated, progress.step(1, 3), prepared);
   }
-  if (Status status = makeCoordinates(input, request, estimated, progress.step(1, 3), prepared);
-      !status.ok())
-  {
-    return status;
-  }
-  CornerCoordinates& made = prepared.coordinates;
-  const bool keep = made.isLent() || made.dimension <= request.mostKeptDimensions;
-  CornerCoordinates coordinates = keep ? made : std::exchange(made, CornerCoordinates());
-  Status status =
-    embedSurface(prepared.mesh, std::move(coordinates), progress.step(2, 3), prepared.surface);
-  if (status.ok() && request.density)
-  {
-    std::vector<double> densities;
-    status =
-      readFacetDensities(prepared.mesh, request.density, input->GetNumberOfPoints(), densities);
-    if (status.ok())
-    {
-      weightByDensity(densities, prepared.surface);
-    }
-  }
-  if (status.ok() && prepared.features && prepared.features->numberOfPatches > 1)
-  {
-    separatePatches(
-      prepared.features->facetPatches, prepared.features->numberOfPatches, prepared.surface);
-  }
-  return status;
+  return status.ok() ? embed(input, request, progress.step(2, 3), prepared) : status;
 }
 }

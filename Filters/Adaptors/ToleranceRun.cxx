@@ -213,6 +213,51 @@ struct ToleranceRun
   }
 
   /**
+   * Refinement, to the end or to twice as many points, and then whole runs with finer creases, if
+   * these are the reason.
+   *
+   * @param goesOn whether another round may help.
+   */
+  Status refineOrTryCreases(const RunControl& control, ToleranceOutcome& reached, bool& goesOn)
+  {
+    goesOn = false;
+    const Offset any = this->tolerance.mostPoints;
+    if (this->prepared.droppedCreases == 0)
+    {
+      return this->refine(any, control, reached);
+    }
+    const Offset many = mostGrowth * this->result.components.count();
+    Status status = this->refine(many, control.part(0.0, 0.2), reached);
+    if (!status.ok() || reached.how == ToleranceOutcome::Kept)
+    {
+      return status;
+    }
+    FinerCreases finer;
+    Offset taken = any;
+    status = this->findCreases(reached, control.silent(), finer, taken);
+    const bool mayGrow = reached.how == ToleranceOutcome::TooManyPoints;
+    const Offset count = this->result.components.count();
+    if (!status.ok() || taken >= any)
+    {
+      goesOn = mayGrow && count < any;
+      return status;
+    }
+    if (mayGrow && count < taken)
+    {
+      status = this->refine(taken, control.part(0.2, 0.25), reached);
+      if (!status.ok() || reached.how == ToleranceOutcome::Kept)
+      {
+        return status;
+      }
+    }
+    status = this->tryCreases(finer, std::max(this->request.preparation.numberOfSites, taken),
+      control.part(0.25, 0.3), reached, goesOn);
+    return status.ok() && !goesOn && reached.how == ToleranceOutcome::TooManyPoints
+      ? this->refine(any, control.part(0.3, 1.0), reached)
+      : status;
+  }
+
+  /**
    * Whole runs, and refinement from there. Where creases are too small for the points, they are
    * refined as round ones, which can take many times as many: whenever those have doubled, finer
    * creases are looked for, and tried as soon as they take fewer.
@@ -221,47 +266,10 @@ struct ToleranceRun
   {
     this->request.preparation.sitesForFeatures = number;
     Status status = this->approach(number, control.part(0.0, 0.3));
-    while (status.ok())
+    for (bool goesOn = true; status.ok() && goesOn;)
     {
       control = control.part(0.3, 1.0);
-      const Offset any = this->tolerance.mostPoints;
-      const bool looks = this->prepared.droppedCreases > 0;
-      status = this->refine(looks ? mostGrowth * this->result.components.count() : any,
-        control.part(0.0, looks ? 0.2 : 1.0), reached);
-      if (!status.ok() || reached.how == ToleranceOutcome::Kept || !looks)
-      {
-        return status;
-      }
-      FinerCreases finer;
-      Offset taken = any;
-      status = this->findCreases(reached, control.silent(), finer, taken);
-      const bool goesOn = reached.how == ToleranceOutcome::TooManyPoints;
-      const Offset count = this->result.components.count();
-      if (taken >= any && status.ok())
-      {
-        if (!goesOn || count >= any)
-        {
-          return status;
-        }
-        continue;
-      }
-      if (status.ok() && goesOn && count < taken)
-      {
-        status = this->refine(taken, control.part(0.2, 0.25), reached);
-      }
-      if (!status.ok() || reached.how == ToleranceOutcome::Kept)
-      {
-        return status;
-      }
-      bool kept = false;
-      status = this->tryCreases(finer, std::max(this->request.preparation.numberOfSites, taken),
-        control.part(0.25, 0.3), reached, kept);
-      if (status.ok() && !kept)
-      {
-        return reached.how == ToleranceOutcome::TooManyPoints
-          ? this->refine(any, control.part(0.3, 1.0), reached)
-          : status;
-      }
+      status = this->refineOrTryCreases(control, reached, goesOn);
     }
     return status;
   }

@@ -1,5 +1,7 @@
 #include "MeshDistance.h"
 
+#include "RemeshTask.h"
+
 #include <algorithm>
 
 namespace remesh
@@ -36,6 +38,7 @@ Triangles trianglesOf(const RemeshResult& result)
 
 Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result)
 {
+  Stopwatch watch;
   DistanceOptions options;
   options.boundTolerance = -1.0;
   // One tree at a time: they are large.
@@ -55,6 +58,7 @@ Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshRe
   {
     result.distance = distance;
   }
+  result.seconds.distance = watch.lap();
   return control.cancelled() ? Status::cancelled() : Status::success();
 }
 }

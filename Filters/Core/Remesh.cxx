@@ -131,6 +131,7 @@ RemeshResult::Seconds& RemeshResult::Seconds::operator+=(const Seconds& other)
   this->repair += other.repair;
   this->diagram += other.diagram;
   this->placement += other.placement;
+  this->distance += other.distance;
   return *this;
 }
 

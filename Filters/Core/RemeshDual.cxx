@@ -141,57 +141,35 @@ Status settle(const Task& task, const Sites& earlier, const SiteChanges& changes
   return status;
 }
 
-/** Diagram and dual, again and again while there is something to mend. */
-Status mendAll(
-  const Task& task, RunControl rest, Carried& carried, Repair& repair, RemeshResult& result)
+/** Whether cells fall into so many parts that another surface in R^d is better. */
+bool fallsApart(const Task& task, const RemeshResult& result)
 {
-  const RemeshOptions& options = task.options;
-  // Each round fills half of the progress that is left.
-  int changes = 0;
-  for (int round = 0;; ++round, rest = rest.step(1, 2))
+  return static_cast<double>(result.components.count()) >
+    task.options.mostComponents * static_cast<double>(result.numberOfVertexSites());
+}
+
+/** After a change of the sites: those around settle, or are remembered as not settled. */
+Status settleAfter(const Task& task, const SharedSites& earlier, const RunControl& control,
+  Repair& repair, RemeshResult& result)
+{
+  roundToCaller(task.surface, result.sites);
+  if (!othersMustStay(repair))
   {
-    Stopwatch watch;
-    if (Status status = diagramAndDual(task, rest.step(0, 2), carried, repair, result);
-        !status.ok())
-    {
-      return status;
-    }
-    result.seconds.diagram += watch.lap();
-    if (round == 0 &&
-      static_cast<double>(result.components.count()) >
-        options.mostComponents * static_cast<double>(result.numberOfVertexSites()))
-    {
-      result.fallsApart = true;
-      return Status::success();
-    }
-    const SharedSites earlier = carried.sites;
-    const bool wasTrial = repair.pruning.isTrying();
-    const bool mayChange = earlier && (changes < mostChanges || wasTrial);
-    changes += wasTrial ? 0 : 1;
-    const Index moved = mayChange ? mend(task, rest.silent(), repair, result) : 0;
-    result.seconds.repair += watch.lap();
-    if (moved == 0)
-    {
-      break;
-    }
-    result.movedSites += moved;
-    roundToCaller(task.surface, result.sites);
-    if (!othersMustStay(repair))
-    {
-      const SiteChanges changes = compareSites(*earlier, result.sites);
-      if (Status status = settle(task, *earlier, changes, changes.places, rest.silent(), result);
-          !status.ok())
-      {
-        return status;
-      }
-    }
-    else if (!repair.othersStay && leavesUnsettled(repair) && !repair.settled && !repair.wentBack)
-    {
-      repair.settled = earlier;
-    }
-    result.seconds.repair += watch.lap();
+    const SiteChanges changes = compareSites(*earlier, result.sites);
+    return settle(task, *earlier, changes, changes.places, control, result);
   }
-  const bool nothingBetter = scoreOf(options, result, repair) <= repair.scoreOfBest;
+  if (!repair.othersStay && leavesUnsettled(repair) && !repair.settled && !repair.wentBack)
+  {
+    repair.settled = earlier;
+  }
+  return Status::success();
+}
+
+/** The best state, if it is not the one at hand. */
+Status returnToBest(const Task& task, const RunControl& control, Carried& carried, Repair& repair,
+  RemeshResult& result)
+{
+  const bool nothingBetter = scoreOf(task.options, result, repair) <= repair.scoreOfBest;
   const bool onlyThisHolds = result.topology.certificate.holds() && std::get<1>(repair.scoreOfBest);
   if (nothingBetter || onlyThisHolds)
   {
@@ -199,9 +177,46 @@ Status mendAll(
   }
   Stopwatch watch;
   restoreState(repair, result);
-  Status status = diagramAndDual(task, rest.silent(), carried, repair, result);
+  Status status = diagramAndDual(task, control, carried, repair, result);
   result.seconds.diagram += watch.lap();
   return status;
+}
+
+/** Diagram and dual, again and again while there is something to mend. */
+Status mendAll(
+  const Task& task, RunControl rest, Carried& carried, Repair& repair, RemeshResult& result)
+{
+  // Each round fills half of the progress that is left.
+  int changes = 0;
+  for (int round = 0;; ++round, rest = rest.step(1, 2))
+  {
+    Stopwatch watch;
+    Status status = diagramAndDual(task, rest.step(0, 2), carried, repair, result);
+    result.seconds.diagram += watch.lap();
+    result.fallsApart = status.ok() && round == 0 && fallsApart(task, result);
+    if (!status.ok() || result.fallsApart)
+    {
+      return status;
+    }
+    const SharedSites earlier = carried.sites;
+    const bool wasTrial = repair.pruning.isTrying();
+    const bool mayChange = earlier && (changes < mostChanges || wasTrial);
+    changes += wasTrial ? 0 : 1;
+    const Index moved = mayChange ? mend(task, rest.silent(), repair, result) : 0;
+    result.movedSites += moved;
+    status =
+      moved > 0 ? settleAfter(task, earlier, rest.silent(), repair, result) : Status::success();
+    result.seconds.repair += watch.lap();
+    if (!status.ok())
+    {
+      return status;
+    }
+    if (moved == 0)
+    {
+      break;
+    }
+  }
+  return returnToBest(task, rest.silent(), carried, repair, result);
 }
 
 /** Whether more triangles face the wrong way than were counted. */

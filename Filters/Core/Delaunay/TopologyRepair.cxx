@@ -120,82 +120,140 @@ std::vector<Index> countUses(const Dual& dual, Index numberOfVertices)
   }
   return uses;
 }
+
+/** Finds sites for failures, one for each of the cells around at most. */
+class TopologyRefiner
+{
+public:
+  /** @param cutTips whether cells at tips go instead. All must outlive it. */
+  TopologyRefiner(
+    const VertexPlaces& places, const Components& components, const Dual& dual, bool cutTips)
+    : m_places(places)
+    , m_components(components)
+    , m_cutTips(cutTips)
+    , m_uses(countUses(dual, components.count()))
+    , m_taken(static_cast<std::size_t>(components.count()), 0)
+    , m_farthest(places)
+    , m_thinTips(places, components)
+  {
+  }
+
+  /** Where three cells meet in several vertices: in the one with the fewest triangles. */
+  void refineVertex(const Triple& cells)
+  {
+    const auto& [a, b, c] = cells;
+    if (!this->takes({ a, b, c }))
+    {
+      return;
+    }
+    const Index least = this->lessUsed(this->lessUsed(a, b), c);
+    if (this->isTip(least, 1))
+    {
+      m_refinement.removed.push_back(m_components.sites[least]);
+      return;
+    }
+    const std::vector<double> place = m_uses[least] <= 1
+      ? m_thinTips.placeBetween(least, a == least ? b : a, c == least ? b : c)
+      : std::vector<double>();
+    m_refinement.added.insert(m_refinement.added.end(), place.begin(), place.end());
+    if (place.empty())
+    {
+      this->refine(least, noIndex);
+    }
+    else
+    {
+      m_refinement.meetings.insert({ a, b, c }); // left without a site of its own
+    }
+  }
+
+  void refineCell(Index cell)
+  {
+    if (!this->takes({ cell }))
+    {
+      return;
+    }
+    if (this->isTip(cell, 0))
+    {
+      m_refinement.removed.push_back(m_components.sites[cell]);
+    }
+    else
+    {
+      this->refine(cell, noIndex);
+    }
+  }
+
+  void refineEdge(Index cell, Index neighbor)
+  {
+    if (this->takes({ cell, neighbor }))
+    {
+      this->refine(cell, neighbor);
+    }
+  }
+
+  Refinement take()
+  {
+    sortUnique(m_refinement.removed);
+    return std::move(m_refinement);
+  }
+
+private:
+  /** Whether none of the cells has been taken; they are then. */
+  bool takes(std::initializer_list<Index> cells)
+  {
+    const bool areFree =
+      std::none_of(cells.begin(), cells.end(), [&](Index cell) { return m_taken[cell] != 0; });
+    if (areFree)
+    {
+      std::for_each(cells.begin(), cells.end(), [&](Index cell) { m_taken[cell] = 1; });
+    }
+    return areFree;
+  }
+
+  Index lessUsed(Index a, Index b) const { return m_uses[b] < m_uses[a] ? b : a; }
+
+  /** A cell of a repeated triangle and no other has two neighbours, one of none has one. */
+  bool isTip(Index cell, Index mostUses) const
+  {
+    return m_cutTips && m_uses[cell] <= mostUses &&
+      m_components.sites[cell] >= m_places.sites.fixed;
+  }
+
+  void refine(Index cell, Index neighbor)
+  {
+    showVertices(m_places.diagram, m_components, cell, m_farthest,
+      [&](Index before, Index after)
+      { return neighbor == noIndex || before == neighbor || after == neighbor; });
+    addSite(m_places.diagram, m_components, m_farthest, m_refinement);
+  }
+
+  const VertexPlaces& m_places;
+  const Components& m_components;
+  bool m_cutTips;
+  std::vector<Index> m_uses; ///< triangles of each component
+  std::vector<char> m_taken;
+  FarthestVertex m_farthest;
+  ThinTips m_thinTips;
+  Refinement m_refinement;
+};
 }
 
 Refinement refineTopology(const VertexPlaces& places, const Components& components,
   const Dual& dual, const Certificate& certificate, bool cutTips)
 {
-  Refinement refinement;
-  std::vector<char> taken(static_cast<std::size_t>(components.count()), 0);
-  FarthestVertex farthest(places);
-  const auto refine = [&](Index component, Index neighbor)
+  TopologyRefiner refiner(places, components, dual, cutTips);
+  for (const Triple& vertex : certificate.vertices)
   {
-    showVertices(places.diagram, components, component, farthest,
-      [&](Index before, Index after)
-      { return neighbor == noIndex || before == neighbor || after == neighbor; });
-    addSite(places.diagram, components, farthest, refinement);
-  };
-  const std::vector<Index> uses = countUses(dual, components.count());
-  const auto lessUsed = [&](Index a, Index b) { return uses[b] < uses[a] ? b : a; };
-  // A cell of a repeated triangle and no other has two neighbours, one of none has one.
-  const auto isTip = [&](Index component, Index mostUses)
-  {
-    return cutTips && uses[component] <= mostUses &&
-      components.sites[component] >= places.sites.fixed;
-  };
-  ThinTips thinTips(places, components);
-  for (const auto& [a, b, c] : certificate.vertices)
-  {
-    if (!taken[a] && !taken[b] && !taken[c])
-    {
-      taken[a] = taken[b] = taken[c] = 1;
-      const Index least = lessUsed(lessUsed(a, b), c);
-      if (isTip(least, 1))
-      {
-        refinement.removed.push_back(components.sites[least]);
-      }
-      else
-      {
-        const std::vector<double> place = uses[least] <= 1
-          ? thinTips.placeBetween(least, a == least ? b : a, c == least ? b : c)
-          : std::vector<double>();
-        refinement.added.insert(refinement.added.end(), place.begin(), place.end());
-        if (place.empty())
-        {
-          refine(least, noIndex);
-        }
-        else
-        {
-          refinement.meetings.insert({ a, b, c }); // left without a site of its own
-        }
-      }
-    }
+    refiner.refineVertex(vertex);
   }
   for (const Index cell : certificate.cells)
   {
-    if (!taken[cell])
-    {
-      taken[cell] = 1;
-      if (isTip(cell, 0))
-      {
-        refinement.removed.push_back(components.sites[cell]);
-      }
-      else
-      {
-        refine(cell, noIndex);
-      }
-    }
+    refiner.refineCell(cell);
   }
   for (const auto& [a, b] : certificate.edges)
   {
-    if (!taken[a] && !taken[b])
-    {
-      taken[a] = taken[b] = 1;
-      refine(a, b);
-    }
+    refiner.refineEdge(a, b);
   }
-  sortUnique(refinement.removed);
-  return refinement;
+  return refiner.take();
 }
 
 Refinement refineTriangles(const VertexPlaces& places, const Components& components,

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <utility>
 
 namespace remesh
 {
@@ -210,18 +212,135 @@ std::vector<Index> leastPieces(const Features& features)
   return least;
 }
 
-/** @param roughError of chords of creases that zigzag, if it is larger. */
-Stations sampleWith(const std::vector<Course>& courses, const std::vector<Index>& least,
-  double error, double roughError, double spacing)
+std::vector<Course> coursesOf(const FeaturedSurface& featured)
 {
-  Stations stations(courses.size());
+  const Features& features = featured.features;
+  std::vector<Course> courses(features.curves.size());
   for (std::size_t c = 0; c < courses.size(); ++c)
   {
-    const double own = courses[c].isRough ? std::max(error, roughError) : error;
-    stations[c] = divide(courses[c], breakEvenly(courses[c], own), spacing, least[c]);
+    for (const Index point : features.curves[c].points)
+    {
+      courses[c].points.push_back(featured.mesh.points[point]);
+    }
+    courses[c].lengths = measureCurve(featured, static_cast<Index>(c));
+    courses[c].isRough =
+      features.curves[c].kind == FeatureKind::Crease && zigzags(courses[c].points);
   }
-  return stations;
+  return courses;
 }
+
+/** Samples all curves, coarser and coarser until they leave room for other points. */
+class CurveSampler
+{
+public:
+  /** @param numberOfPoints of the mesh. @param mostError unit of the points. */
+  CurveSampler(const FeaturedSurface& featured, Offset numberOfPoints, double mostError)
+    : m_features(featured.features)
+    , m_courses(coursesOf(featured))
+    , m_least(leastPieces(featured.features))
+    , m_points(static_cast<double>(numberOfPoints))
+    , m_mostError(mostError)
+  {
+    const EmbeddedSurface& surface = featured.surface;
+    const double length = std::accumulate(m_courses.begin(), m_courses.end(), 0.0,
+      [](double sum, const Course& course) { return sum + course.lengths.back(); });
+    // Slivers have next to no area.
+    m_spacing =
+      std::max(std::sqrt(surface.siteMeasure / (hexagonal * m_points)), length / m_points);
+    const double diagonal = boundingBoxDiagonal(featured.mesh);
+    const double spacing = m_spacing * surface.unit;
+    m_error = std::min(mostError, finestError * diagonal);
+    m_fine = std::min(mostError, fineError * diagonal);
+    m_coarsest = std::clamp(std::max(m_error, coarsestError * spacing), m_fine, mostError);
+    m_rough = std::min(roughError * spacing, mostError);
+  }
+
+  /** With the finest error of chords that leaves enough points for the rest of the surface. */
+  void chooseError(const RunControl& control)
+  {
+    this->sample(control);
+    while (m_count > fineShare * m_points && m_error < m_fine)
+    {
+      m_error = std::min(2.0 * m_error, m_fine);
+      this->sample(control);
+    }
+    const bool bendy =
+      m_error == m_fine && this->countBends(m_error, control) > largestBendShare * m_points;
+    const auto isTooFine = [&]()
+    {
+      return m_count > largestShare * m_points ||
+        (bendy && this->countBends(m_error, control) > fineShare * m_points);
+    };
+    while (m_error < m_coarsest && isTooFine())
+    {
+      m_error = std::min(2.0 * m_error, m_coarsest);
+      this->sample(control);
+    }
+  }
+
+  /** Where no error does, with a wider spacing, too. */
+  void widen(const RunControl& control)
+  {
+    for (int k = 0; k < mostGrowths && m_count > largestShare * m_points; ++k)
+    {
+      m_spacing *= growth;
+      m_error = std::min(m_mostError, growth * m_error);
+      this->sample(control);
+    }
+  }
+
+  /** Points that corners and bends take with the coarsest error. */
+  Offset neededPoints(const RunControl& control) const
+  {
+    return static_cast<Offset>(this->countBends(m_coarsest, control));
+  }
+
+  Stations take() { return std::move(m_stations); }
+
+private:
+  Stations sampleWith(double error, double spacing) const
+  {
+    Stations stations(m_courses.size());
+    for (std::size_t c = 0; c < m_courses.size(); ++c)
+    {
+      const double own = m_courses[c].isRough ? std::max(error, m_rough) : error;
+      stations[c] = divide(m_courses[c], breakEvenly(m_courses[c], own), spacing, m_least[c]);
+    }
+    return stations;
+  }
+
+  /** When cancelled, there are no points, so that no other try follows. */
+  void sample(const RunControl& control)
+  {
+    m_count = 0.0;
+    if (!control.cancelled())
+    {
+      m_stations = this->sampleWith(m_error, m_spacing);
+      m_count = static_cast<double>(countFeaturePoints(m_features, m_stations));
+    }
+  }
+
+  double countBends(double error, const RunControl& control) const
+  {
+    const double any = std::numeric_limits<double>::infinity();
+    return control.cancelled()
+      ? 0.0
+      : static_cast<double>(countFeaturePoints(m_features, this->sampleWith(error, any)));
+  }
+
+  const Features& m_features;
+  std::vector<Course> m_courses;
+  std::vector<Index> m_least; ///< pieces of each curve
+  double m_points;
+  double m_mostError;
+  double m_spacing;  ///< embedded
+  double m_error;    ///< of chords, and those below, too: unit of the points
+  double m_fine;     ///< before bends get fewer points than they could use
+  double m_coarsest; ///< before the spacing grows
+  double m_rough;    ///< of creases that zigzag, if it is larger
+  Stations m_stations;
+  double m_count = 0.0; ///< of points
+};
 }
 
 std::vector<double> measureCurve(const FeaturedSurface& featured, Index curve)
@@ -311,78 +430,14 @@ Station stationAtRadius(
 Stations sampleCurves(const FeaturedSurface& featured, Offset numberOfPoints, double mostError,
   const RunControl& control, Offset& needed)
 {
-  const SurfaceMesh& mesh = featured.mesh;
-  const EmbeddedSurface& surface = featured.surface;
-  const Features& features = featured.features;
-  std::vector<Course> courses(features.curves.size());
-  for (std::size_t c = 0; c < courses.size(); ++c)
+  CurveSampler sampler(featured, numberOfPoints, mostError);
+  sampler.chooseError(control);
+  if (!control.cancelled())
   {
-    for (const Index point : features.curves[c].points)
-    {
-      courses[c].points.push_back(mesh.points[point]);
-    }
-    courses[c].lengths = measureCurve(featured, static_cast<Index>(c));
-    courses[c].isRough =
-      features.curves[c].kind == FeatureKind::Crease && zigzags(courses[c].points);
+    needed = sampler.neededPoints(control);
+    sampler.widen(control);
   }
-  const std::vector<Index> least = leastPieces(features);
-  const auto n = static_cast<double>(numberOfPoints);
-  double length = 0.0;
-  for (const Course& course : courses)
-  {
-    length += course.lengths.back();
-  }
-  // Slivers have next to no area.
-  double spacing = std::max(std::sqrt(surface.siteMeasure / (hexagonal * n)), length / n);
-  double error = std::min(mostError, finestError * boundingBoxDiagonal(mesh));
-  double coarsest = std::max(error, coarsestError * spacing * surface.unit);
-  const double rough = std::min(roughError * spacing * surface.unit, mostError);
-  const auto countWith = [&](Stations& stations)
-  {
-    if (control.cancelled()) // with no points, no other try follows
-    {
-      return 0.0;
-    }
-    stations = sampleWith(courses, least, error, rough, spacing);
-    return static_cast<double>(countFeaturePoints(features, stations));
-  };
-  Stations stations;
-  double count = countWith(stations);
-  const double fine = std::min(mostError, fineError * boundingBoxDiagonal(mesh));
-  coarsest = std::clamp(coarsest, fine, mostError);
-  const auto countBends = [&]()
-  {
-    if (control.cancelled())
-    {
-      return 0.0;
-    }
-    return static_cast<double>(countFeaturePoints(
-      features, sampleWith(courses, least, error, rough, std::numeric_limits<double>::infinity())));
-  };
-  while (count > fineShare * n && error < fine)
-  {
-    error = std::min(2.0 * error, fine);
-    count = countWith(stations);
-  }
-  const bool bendy = error == fine && countBends() > largestBendShare * n;
-  while (error < coarsest && (count > largestShare * n || (bendy && countBends() > fineShare * n)))
-  {
-    error = std::min(2.0 * error, coarsest);
-    count = countWith(stations);
-  }
-  if (control.cancelled())
-  {
-    return stations;
-  }
-  needed = countFeaturePoints(
-    features, sampleWith(courses, least, coarsest, rough, std::numeric_limits<double>::infinity()));
-  for (int k = 0; k < mostGrowths && count > largestShare * n; ++k)
-  {
-    spacing *= growth;
-    error = std::min(mostError, growth * error);
-    count = countWith(stations);
-  }
-  return stations;
+  return sampler.take();
 }
 
 Offset countFeaturePoints(const Features& features, const Stations& stations)

@@ -46,6 +46,43 @@ void visitParts(
   }
 }
 
+/** The corners of a piece's facet. */
+using FacetCorners = std::array<const Point3*, 3>;
+
+/** The centre of a piece. */
+inline Point3 centerOf(const PieceIntegral& integral, const FacetCorners& corners)
+{
+  return (integral.weights[0] * *corners[0] + integral.weights[1] * *corners[1] +
+           integral.weights[2] * *corners[2]) /
+    integral.fraction();
+}
+
+/**
+ * Calls `visit(point, area)` for each part of a piece: the triangles of its fan are cut into about
+ * equal ones, of the area `measure`, if that takes no more than `most` to a side.
+ */
+template <class Visit>
+void visitPiece(const VertexPlaces& places, Offset piece, const FacetCorners& corners,
+  double measure, int most, const Visit& visit)
+{
+  PiecePlaces vertices(places, piece);
+  const auto place = [&](Offset v)
+  {
+    const std::array<double, 3> b = vertices.at(v);
+    return Point3(b[0] * *corners[0] + b[1] * *corners[1] + b[2] * *corners[2]);
+  };
+  const Offset begin = places.diagram.vertexBegin[piece];
+  const Point3 first = place(begin);
+  for (Offset v = begin + 1; v + 1 < places.diagram.vertexBegin[piece + 1]; ++v)
+  {
+    const Point3 second = place(v);
+    const Point3 third = place(v + 1);
+    const double area = facetArea(first, second, third);
+    const int parts = std::clamp(static_cast<int>(std::lround(std::sqrt(area / measure))), 1, most);
+    visitParts(first, second, third, area, parts, visit);
+  }
+}
+
 /**
  * Calls `visit(const SurfaceSample&)` for each sample of a component, in a fixed order. O(pieces).
  *
@@ -71,66 +108,42 @@ void forEachSample(
     --ends;
   }
   double carried = 0.0;
-  SurfaceSample sample;
-  sample.normal = Point3::Zero();
   for (Offset p = begins; p < ends; ++p)
   {
-    const Offset piece = components.pieces[p];
-    const PieceIntegral& integral = diagram.integrals[piece];
-    const Index facet = diagram.facets[piece];
     const double area = areaOf(p);
-    if (!(area > 0.0))
+    carried += area > 0.0 ? area : 0.0;
+    if (!(area > 0.0) || (carried < measure && p + 1 < ends))
     {
       continue;
     }
-    carried += area;
-    if (carried < measure && p + 1 < ends)
-    {
-      continue;
-    }
-    const Point3* corners[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      corners[k] = &problem.facetPoint(facet, k);
-    }
+    const Offset piece = components.pieces[p];
+    const Index facet = diagram.facets[piece];
+    const FacetCorners corners{ &problem.facetPoint(facet, 0), &problem.facetPoint(facet, 1),
+      &problem.facetPoint(facet, 2) };
+    SurfaceSample sample;
     sample.facet = facet;
     sample.normal = facetNormal(*corners[0], *corners[1], *corners[2]);
+    const auto visitPart = [&](const Point3& point, double weight)
+    {
+      sample.point = point;
+      sample.weight = weight;
+      visit(sample);
+    };
     if (area < 2.0 * measure)
     {
-      sample.point = (integral.weights[0] * *corners[0] + integral.weights[1] * *corners[1] +
-                       integral.weights[2] * *corners[2]) /
-        integral.fraction();
-      sample.weight = carried;
-      carried = 0.0;
-      visit(sample);
-      continue;
+      visitPart(centerOf(diagram.integrals[piece], corners), carried);
     }
-    double surplus = carried - area; // of the pieces before; goes to the first part
-    carried = 0.0;
-    PiecePlaces vertices(places, piece);
-    const auto place = [&](Offset v)
+    else
     {
-      const std::array<double, 3> b = vertices.at(v);
-      return Point3(b[0] * *corners[0] + b[1] * *corners[1] + b[2] * *corners[2]);
-    };
-    const Offset begin = diagram.vertexBegin[piece];
-    const Point3 first = place(begin);
-    for (Offset v = begin + 1; v + 1 < diagram.vertexBegin[piece + 1]; ++v)
-    {
-      const Point3 second = place(v);
-      const Point3 third = place(v + 1);
-      const double share = facetArea(first, second, third);
-      const int parts =
-        std::clamp(static_cast<int>(std::lround(std::sqrt(share / measure))), 1, samples);
-      visitParts(first, second, third, share, parts,
+      double surplus = carried - area; // of the pieces before; goes to the first part
+      visitPiece(places, piece, corners, measure, samples,
         [&](const Point3& point, double weight)
         {
-          sample.point = point;
-          sample.weight = weight + surplus;
+          visitPart(point, weight + surplus);
           surplus = 0.0;
-          visit(sample);
         });
     }
+    carried = 0.0;
   }
 }
 }
