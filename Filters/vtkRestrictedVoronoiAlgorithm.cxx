@@ -10,6 +10,7 @@
 #include "Adaptors/RunWarnings.h"
 #include "Features/FeatureGraph.h"
 #include "MeshDistance.h"
+#include "RemeshTask.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -18,11 +19,11 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <chrono>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkRestrictedVoronoiAlgorithm::vtkRestrictedVoronoiAlgorithm()
@@ -245,14 +246,13 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       {
         return status;
       }
-      const auto start = std::chrono::steady_clock::now();
+      remesh::Stopwatch watch;
       if (!writesDiagram)
       {
         outcome.result.diagram = {}; // room for the ports
       }
       status = writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
-      const std::chrono::duration<double> writing = std::chrono::steady_clock::now() - start;
-      facts.Seconds["diagram"] += writing.count();
+      facts.Seconds["diagram"] += watch.lap();
       return status;
     });
   if (ended != vtkInternals::Outcome::Done)
@@ -260,13 +260,14 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
     return ended == vtkInternals::Outcome::Nothing;
   }
   std::vector<std::string> warnings = remesh::warningsOf(outcome, options, hasNumber);
-  warnings.push_back(remesh::describeDistribution(inputVector[0]));
+  if (std::string distribution = remesh::describeDistribution(inputVector[0]);
+      !distribution.empty())
+  {
+    warnings.push_back(std::move(distribution));
+  }
   for (const std::string& warning : warnings)
   {
-    if (!warning.empty())
-    {
-      vtkWarningMacro(<< warning);
-    }
+    vtkWarningMacro(<< warning);
   }
   facts.Dimension = prepared.surface.dimension;
   facts.Iterations = outcome.result.convergence.rows.back().iteration;

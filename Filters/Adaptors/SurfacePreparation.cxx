@@ -187,7 +187,7 @@ Status makeCoordinates(vtkPolyData* input, const PreparationRequest& request, bo
   return Status::success();
 }
 
-/** The surface in R^d, from the coordinates. */
+/** The surface in R^d, from the coordinates, with its density, and patches moved apart. */
 Status embed(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
   PreparedSurface& prepared)
 {

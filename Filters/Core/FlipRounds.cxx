@@ -1,5 +1,6 @@
 #include "FlipRounds.h"
 
+#include "Delaunay/FeatureRepair.h"
 #include "Delaunay/TopologyRepair.h"
 #include "Placement/StrayTriangles.h"
 #include "RemeshFacing.h"

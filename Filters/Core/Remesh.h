@@ -103,7 +103,7 @@ struct RemeshResult
     double repair = 0.0;
     double diagram = 0.0;
     double placement = 0.0;
-    double distance = 0.0;
+    double distance = 0.0; ///< of findDistance (MeshDistance.h)
 
     Seconds& operator+=(const Seconds& other);
   } seconds; ///< wall time of the phases

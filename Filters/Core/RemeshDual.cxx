@@ -165,7 +165,7 @@ Status settleAfter(const Task& task, const SharedSites& earlier, const RunContro
   return Status::success();
 }
 
-/** The best state, if it is not the one at hand. */
+/** To the best state, unless that at hand is as good, or it alone is proven. */
 Status returnToBest(const Task& task, const RunControl& control, Carried& carried, Repair& repair,
   RemeshResult& result)
 {

@@ -7,7 +7,9 @@
 #include "TopologyRounds.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace remesh
 {

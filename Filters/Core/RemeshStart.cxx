@@ -1,6 +1,7 @@
 #include "RemeshStart.h"
 
 #include "Embedding/Distance.h"
+#include "Features/CurveSampling.h"
 #include "Features/CurveSeparation.h"
 #include "Features/PatchSampling.h"
 #include "Optimization/Lloyd.h"

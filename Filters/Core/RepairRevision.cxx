@@ -1,5 +1,8 @@
 #include "RepairRevision.h"
 
+#include "Delaunay/FeatureRepair.h"
+#include "Delaunay/SiteRevision.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>

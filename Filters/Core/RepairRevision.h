@@ -5,10 +5,12 @@
 #ifndef remesh_RepairRevision_h
 #define remesh_RepairRevision_h
 
-#include "Delaunay/FeatureRepair.h"
-#include "Delaunay/SiteRevision.h"
+#include "Delaunay/Collar.h"
+#include "Delaunay/TopologyRepair.h"
 #include "RemeshTask.h"
 #include "RepairState.h"
+
+#include <vector>
 
 namespace remesh
 {

@@ -2,7 +2,7 @@
 // feature point that is nearest.
 
 #include "Features/CurveLevel.h"
-#include "Features/CurveSampling.h"
+#include "Features/CurveStations.h"
 #include "Features/FeatureGraph.h"
 #include "TestPlacements.h"
 

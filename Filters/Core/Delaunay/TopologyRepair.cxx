@@ -6,7 +6,9 @@
 #include "Support/SortUnique.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <numeric>
+#include <utility>
 
 namespace remesh
 {

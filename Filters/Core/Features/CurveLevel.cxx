@@ -1,6 +1,6 @@
 #include "Features/CurveLevel.h"
 
-#include "Features/CurveSampling.h"
+#include "Features/CurveStations.h"
 
 #include <limits>
 

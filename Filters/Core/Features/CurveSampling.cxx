@@ -1,6 +1,5 @@
 #include "Features/CurveSampling.h"
 
-#include "Embedding/Distance.h"
 #include "Mesh/Extent.h"
 
 #include <algorithm>
@@ -233,22 +232,26 @@ std::vector<Course> coursesOf(const FeaturedSurface& featured)
 class CurveSampler
 {
 public:
-  /** @param numberOfPoints of the mesh. @param mostError unit of the points. */
+  /**
+   * @param featured its features must outlive it.
+   * @param numberOfPoints of the mesh.
+   * @param mostError unit of the points.
+   */
   CurveSampler(const FeaturedSurface& featured, Offset numberOfPoints, double mostError)
     : m_features(featured.features)
     , m_courses(coursesOf(featured))
     , m_least(leastPieces(featured.features))
-    , m_points(static_cast<double>(numberOfPoints))
+    , m_numberOfPoints(static_cast<double>(numberOfPoints))
     , m_mostError(mostError)
   {
     const EmbeddedSurface& surface = featured.surface;
     const double length = std::accumulate(m_courses.begin(), m_courses.end(), 0.0,
       [](double sum, const Course& course) { return sum + course.lengths.back(); });
     // Slivers have next to no area.
-    m_spacing =
-      std::max(std::sqrt(surface.siteMeasure / (hexagonal * m_points)), length / m_points);
+    m_spacing = std::max(
+      std::sqrt(surface.siteMeasure / (hexagonal * m_numberOfPoints)), length / m_numberOfPoints);
     const double diagonal = boundingBoxDiagonal(featured.mesh);
-    const double spacing = m_spacing * surface.unit;
+    const double spacing = m_spacing * surface.unit; // a power of two
     m_error = std::min(mostError, finestError * diagonal);
     m_fine = std::min(mostError, fineError * diagonal);
     m_coarsest = std::clamp(std::max(m_error, coarsestError * spacing), m_fine, mostError);
@@ -259,17 +262,17 @@ public:
   void chooseError(const RunControl& control)
   {
     this->sample(control);
-    while (m_count > fineShare * m_points && m_error < m_fine)
+    while (m_count > fineShare * m_numberOfPoints && m_error < m_fine)
     {
       m_error = std::min(2.0 * m_error, m_fine);
       this->sample(control);
     }
     const bool bendy =
-      m_error == m_fine && this->countBends(m_error, control) > largestBendShare * m_points;
+      m_error == m_fine && this->countBends(m_error, control) > largestBendShare * m_numberOfPoints;
     const auto isTooFine = [&]()
     {
-      return m_count > largestShare * m_points ||
-        (bendy && this->countBends(m_error, control) > fineShare * m_points);
+      return m_count > largestShare * m_numberOfPoints ||
+        (bendy && this->countBends(m_error, control) > fineShare * m_numberOfPoints);
     };
     while (m_error < m_coarsest && isTooFine())
     {
@@ -281,7 +284,7 @@ public:
   /** Where no error does, with a wider spacing, too. */
   void widen(const RunControl& control)
   {
-    for (int k = 0; k < mostGrowths && m_count > largestShare * m_points; ++k)
+    for (int k = 0; k < mostGrowths && m_count > largestShare * m_numberOfPoints; ++k)
     {
       m_spacing *= growth;
       m_error = std::min(m_mostError, growth * m_error);
@@ -331,7 +334,7 @@ private:
   const Features& m_features;
   std::vector<Course> m_courses;
   std::vector<Index> m_least; ///< pieces of each curve
-  double m_points;
+  double m_numberOfPoints;
   double m_mostError;
   double m_spacing;  ///< embedded
   double m_error;    ///< of chords, and those below, too: unit of the points
@@ -341,90 +344,6 @@ private:
   Stations m_stations;
   double m_count = 0.0; ///< of points
 };
-}
-
-std::vector<double> measureCurve(const FeaturedSurface& featured, Index curve)
-{
-  const auto& [mesh, surface, features] = featured;
-  const FeatureCurve& course = features.curves[curve];
-  std::vector<double> lengths{ 0.0 };
-  for (const Index edge : course.edges)
-  {
-    double length = 0.0;
-    for (Offset i = features.edges.edgeFacetsBegin[edge];
-         i < features.edges.edgeFacetsBegin[edge + 1]; ++i)
-    {
-      const Index facet = features.edges.edgeFacets[i];
-      const int k = features.edges.sideOf(facet, edge);
-      const Triple& corners = mesh.facetCorners[facet];
-      const double squared = squaredDistance<Eigen::Dynamic>(
-        surface.corner(corners[k]), surface.corner(corners[(k + 1) % 3]), surface.dimension);
-      length = std::max(length, surface.lengthScale(facet) * std::sqrt(squared));
-    }
-    lengths.push_back(lengths.back() + length);
-  }
-  return lengths;
-}
-
-Station stationAt(const std::vector<double>& lengths, double length)
-{
-  const auto after = std::upper_bound(lengths.begin(), lengths.end(), length);
-  const auto last = static_cast<Index>(lengths.size()) - 2;
-  const Index segment = std::clamp(static_cast<Index>(after - lengths.begin()) - 1, Index(0), last);
-  const double extent = lengths[segment + 1] - lengths[segment];
-  const double t = extent > 0.0 ? std::clamp((length - lengths[segment]) / extent, 0.0, 1.0) : 0.0;
-  return stationIn(segment, t, last + 1);
-}
-
-double lengthAt(const std::vector<double>& lengths, const Station& station)
-{
-  return lengths[station.segment] +
-    station.t * (lengths[station.segment + 1] - lengths[station.segment]);
-}
-
-bool insertStation(const std::vector<double>& lengths, const Station& station, double leastSection,
-  double leastGap, std::vector<Station>& places)
-{
-  const auto after = std::upper_bound(places.begin(), places.end(), station);
-  if (after == places.begin() || after == places.end())
-  {
-    return false;
-  }
-  const double begin = lengthAt(lengths, *(after - 1));
-  const double end = lengthAt(lengths, *after);
-  const double gap = leastGap * (end - begin);
-  const double length = lengthAt(lengths, station);
-  if (end - begin < leastSection || length < begin + gap || length > end - gap)
-  {
-    return false;
-  }
-  places.insert(after, station);
-  return true;
-}
-
-Station stationAtRadius(
-  const SurfaceMesh& mesh, const FeatureCurve& curve, bool fromFront, double radius)
-{
-  const auto count = static_cast<Index>(curve.edges.size());
-  const Point3& end = mesh.points[fromFront ? curve.points.front() : curve.points.back()];
-  for (Index k = 0; k < count; ++k)
-  {
-    const Index segment = fromFront ? k : count - 1 - k;
-    const Index from = fromFront ? segment : segment + 1;
-    const Point3 a = mesh.points[curve.points[from]] - end;
-    const Point3 b = mesh.points[curve.points[fromFront ? segment + 1 : segment]] - end;
-    if (b.norm() < radius)
-    {
-      continue;
-    }
-    // |a + u (b - a)| = radius, the root in [0, 1].
-    const Point3 along = b - a;
-    const double p = a.dot(along) / along.squaredNorm();
-    const double q = (a.squaredNorm() - radius * radius) / along.squaredNorm();
-    const double u = std::clamp(-p + std::sqrt(std::max(0.0, p * p - q)), 0.0, 1.0);
-    return stationIn(segment, fromFront ? u : 1.0 - u, count);
-  }
-  return fromFront ? Station{ count - 1, 1.0 } : Station{ 0, 0.0 };
 }
 
 Stations sampleCurves(const FeaturedSurface& featured, Offset numberOfPoints, double mostError,

@@ -5,7 +5,7 @@
 #ifndef remesh_FeatureSites_h
 #define remesh_FeatureSites_h
 
-#include "Features/CurveSampling.h"
+#include "Features/CurveStations.h"
 #include "Support/Grouping.h"
 
 namespace remesh

@@ -27,7 +27,10 @@ struct Placement
 {
   std::vector<Point3> positions; ///< K, R^3, the unit of the points
   FlipRepair repair;
-  /** Triangles left that face the closest part of the whole surface the wrong way. */
+  /**
+   * Triangles left that face the closest part of the whole surface the wrong way, before crossing
+   * ones were parted: that flips none.
+   */
   Offset wrongWay = 0;
 
   /** Those of them that face their own cells' facets along (StrayTriangles.h). */

@@ -13,6 +13,8 @@
 #include "Placement/PlacementProblem.h"
 #include "Voronoi/VertexPlaces.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace remesh
