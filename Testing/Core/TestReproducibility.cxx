@@ -118,6 +118,10 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   bytes.addAll(result.sites.coordinates, result.emptyCells, result.evaluations);
   const CellSums& sums = result.sums;
   bytes.addAll(sums.mass, sums.energy, sums.moment, sums.totalEnergy, sums.gradientNorm);
+  for (const PlainSums* plain : { &result.plainSums, &result.plainComponentSums })
+  {
+    bytes.addAll(plain->mass, plain->energy, plain->moment);
+  }
   const Diagram& diagram = result.diagram;
   bytes.addAll(diagram.facetBegin, diagram.sites, diagram.facets, diagram.integrals,
     diagram.vertexBegin, diagram.across);
@@ -245,6 +249,8 @@ void testDensity(const SurfaceMesh& mesh)
   options.lloydIterations = 2;
   options.quasiNewton.iterations = 4;
   checkCase(mesh, surface, options);
+  CHECK(run(mesh, surface, options, Schedule::Smp, nullptr) !=
+    run(mesh, test::embedded(mesh, 6), options, Schedule::Smp, nullptr));
 }
 
 /** Patches that are moved apart, their copies of sites, and the fit. */

@@ -3,8 +3,11 @@
 #include "TestBytes.h"
 #include "TestComparisons.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace remesh;
 using namespace remesh::test;

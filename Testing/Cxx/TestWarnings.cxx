@@ -1,5 +1,7 @@
 // What is degraded or does not fit is told once, and does no harm.
 
+#include "Adaptors/RunWarnings.h"
+#include "TestComparisons.h"
 #include "TestHelpers.h"
 
 #include "vtkAnisotropicRemesher.h"
@@ -56,7 +58,7 @@ void testExtraPoints()
 }
 
 /** Two spheres, the inner one of this radius and turned inside out. */
-vtkSmartPointer<vtkPolyData> shellOf(double radius)
+TriangleSoup shellOf(double radius)
 {
   TriangleSoup shell = icosphere(4);
   TriangleSoup inner = scaled(icosphere(4), radius);
@@ -65,7 +67,7 @@ vtkSmartPointer<vtkPolyData> shellOf(double radius)
     flip(inner, t);
   }
   append(shell, inner, Point3::Zero());
-  return polyDataOf(shell);
+  return shell;
 }
 
 vtkIdType factOf(vtkAnisotropicRemesher* filter, const char* name)
@@ -74,20 +76,52 @@ vtkIdType factOf(vtkAnisotropicRemesher* filter, const char* name)
   return static_cast<vtkIdType>(fact->GetComponent(0, 0));
 }
 
-/** Sheets closer to each other than the sagitta of their triangles, everywhere or here and there.
+/** Sheets closer to each other than the sagitta of their triangles, here and there or everywhere.
  */
 void testStrays()
 {
   for (const double radius : { 0.97, 0.99 })
   {
-    const auto filter = remesherOf(shellOf(radius), 100);
+    const auto input = polyDataOf(shellOf(radius));
+    const auto filter = remesherOf(input, 100);
     checkWarning("a thin shell", filter, "closer to another part");
     const vtkIdType strays = factOf(filter, "NumberOfStrayTriangles");
     const vtkIdType triangles = filter->GetOutput()->GetNumberOfPolys();
     CHECK(radius > 0.98 ? strays > triangles / 4 : strays > 0 && strays < triangles / 8);
-    filter->Modified();
-    checkWarning("again", filter, std::to_string(strays) + " triangles are closer");
+    CHECK_EQUAL(factOf(filter, "NumberOfFlippedTriangles"), 0);
+    // Triangles against the closest ones of the input: another way to count them.
+    vtkNew<vtkSurfaceMeshComparison> comparison;
+    comparison->SetInputData(filter->GetOutput());
+    comparison->SetReferenceData(input);
+    comparison->Update();
+    CHECK_EQUAL(summaryOf(comparison, "NumberOfFlippedTriangles"), static_cast<double>(strays));
   }
+}
+
+/** Flipped triangles and strays have a warning each, from one on. */
+void testNumbersOfWrongTriangles()
+{
+  const auto warningsWith = [](Offset flipped, Offset strays)
+  {
+    NumberOutcome outcome;
+    outcome.result.placement.repair.flippedTriangles = flipped;
+    outcome.result.placement.wrongWay = flipped + strays;
+    return warningsOf(outcome, RemeshOptions(), true);
+  };
+  const auto begins = [](const std::string& text, const std::string& words)
+  { return text.compare(0, words.size(), words) == 0; };
+  CHECK(warningsWith(0, 0).empty());
+  const auto flips = warningsWith(12, 0);
+  CHECK_EQUAL(flips.size(), std::size_t(1));
+  CHECK(begins(flips[0], "12 triangles face the surface the wrong way"));
+  const auto stray = warningsWith(0, 1);
+  CHECK_EQUAL(stray.size(), std::size_t(1));
+  CHECK(begins(
+    stray[0], "1 triangle is closer to another part of the surface than to its own, facing it"));
+  const auto both = warningsWith(1, 3);
+  CHECK_EQUAL(both.size(), std::size_t(2));
+  CHECK(begins(both[0], "1 triangle faces the surface the wrong way"));
+  CHECK(begins(both[1], "3 triangles are closer to another part"));
 }
 
 /** A surface that goes through itself, between rims that all but touch. */
@@ -106,12 +140,14 @@ void testFlipped()
   filter->Update();
   const vtkIdType flipped = factOf(filter, "NumberOfFlippedTriangles");
   const vtkIdType strays = factOf(filter, "NumberOfStrayTriangles");
-  CHECK(flipped > 0);
-  CHECK_EQUAL(messages.warnings().size(), std::size_t(strays > 0 ? 2 : 1));
-  CHECK(
-    messages.warnings()[0].find(" " + std::to_string(flipped) + " triangle") != std::string::npos);
-  CHECK(strays == 0 ||
-    messages.warnings()[1].find(" " + std::to_string(strays) + " triangle") != std::string::npos);
+  CHECK(flipped > 0 && strays > 0);
+  CHECK_EQUAL(messages.warnings().size(), std::size_t(2));
+  const auto tells = [&](std::size_t warning, vtkIdType count)
+  {
+    const std::string words = " " + std::to_string(count) + " triangle";
+    return messages.warnings()[warning].find(words) != std::string::npos;
+  };
+  CHECK(tells(0, flipped) && tells(1, strays));
 }
 
 /** A sphere with spikes that a few points cannot follow. */
@@ -185,6 +221,7 @@ int TestWarnings(int, char*[])
   testNothingToTell();
   testExtraPoints();
   testStrays();
+  testNumbersOfWrongTriangles();
   testFlipped();
   testFarMesh();
   testUnfitArrays();
