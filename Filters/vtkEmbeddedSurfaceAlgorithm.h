@@ -20,9 +20,8 @@
  * Input arrays to process: 0, the point normals (default: the active ones; used as they are;
  * if there are none, normals are estimated, weighted by angle, and smoothed as
  * `NormalSmoothingPasses` tells); 1, the embedding array (default: none). Each can be chosen by
- * name
- * ("" or "None": none) or as the active array of an attribute type; a choice that the input lacks
- * is an error when the filter runs, but for active normals.
+ * name ("" or "None": none) or as the active array of an attribute type; a choice that the input
+ * lacks is an error when the filter runs, but for active normals.
  *
  * @par Reference:
  * B. Levy, N. Bonneel: Variational Anisotropic Surface Meshing with Voronoi Parallel Linear

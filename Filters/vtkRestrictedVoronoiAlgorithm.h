@@ -199,7 +199,8 @@ public:
    * Wall time in seconds of a phase of the last execution: "intake" (with the embedding),
    * "sampling", "lloyd", "newton", "repair" (of the mesh's topology),
    * "placement" (of the mesh's points), "distance" (of mesh and surface; 0 with a distance
-   * tolerance), "diagram" (diagram, dual and output arrays). 0 for other names.
+   * tolerance), "diagram" (diagram, dual and output arrays). 0 for other names, and for what an
+   * aborted run did not come to.
    */
   double GetPhaseSeconds(const char* phase) const;
 

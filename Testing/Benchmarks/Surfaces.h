@@ -31,7 +31,7 @@ Surface scan(const std::string& folder);
 /** A torus with waves of several lengths on it, of about this many triangles. */
 Surface bumpyTorus(double triangles);
 
-/** The same with a wall: another inside it, turned over, so close that points of both are near. */
+/** Two of them, the inner one turned over, closer to each other than the points of a mesh. */
 Surface thinShell(double triangles);
 
 /** Each triangle cut into 16: Loop's scheme, twice. */

@@ -94,9 +94,9 @@ class TestUsage(CommandLineTest):
         self.succeed(self.input(), "out.vtp", "--initial-sites", "s.vtp", "--report", "r.json")
         with open(self.path("r.json"), encoding="utf-8") as file:
             used = json.load(file)["parameters"]
-        for name in ("points", "tolerance", "max-points", "anisotropy", "feature-angle", "max-extra-points",
-                     "lloyd", "newton", "seed", "sampling", "threads", "backend",
-                     "normal-smoothing", "merge-tolerance", "placement"):
+        for name in ("points", "tolerance", "max-points", "anisotropy", "feature-angle",
+                     "max-extra-points", "lloyd", "newton", "seed", "sampling", "threads",
+                     "backend", "normal-smoothing", "merge-tolerance", "placement"):
             with self.subTest(name=name):
                 expected = str(used[name.replace("-", "_")])
                 for text in (in_help, in_manual):
@@ -183,8 +183,8 @@ class TestResults(CommandLineTest):
         with open(self.path("r.json"), encoding="utf-8") as file:
             report = json.load(file)
         self.assertLessEqual(
-            {"input", "parameters", "output", "topology", "iterations", "evaluations", "energy", "seconds",
-             "processor_seconds", "peak_megabytes", "threads", "backend", "warnings"},
+            {"input", "parameters", "output", "topology", "iterations", "evaluations", "energy",
+             "seconds", "processor_seconds", "peak_megabytes", "threads", "backend", "warnings"},
             set(report))
         surface = sphere()
         self.assertEqual(report["input"], {
