@@ -5,11 +5,16 @@
 """
 import argparse
 import os
+import re
 import subprocess
 import sys
 import unittest
 
-from CommandLineTesting import CommandLineTest, read
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkCylinderSource
+
+from CommandLineTesting import CommandLineTest, read, write
 
 
 class TestExamples(CommandLineTest):
@@ -42,6 +47,28 @@ class TestExamples(CommandLineTest):
         # A sphere: as many triangles as Euler's formula asks for.
         self.assertEqual((surface.GetNumberOfPoints(), surface.GetNumberOfPolys()), (60, 116))
         self.assertIn("Euler characteristic 2\n", text)
+
+    def test_flat_parts(self):
+        # A cylinder: nearly half of it is flat, and takes a third of the points that are even.
+        cylinder = vtkCylinderSource()
+        cylinder.SetResolution(256)
+        cylinder.Update()
+        write(cylinder.GetOutput(), self.path("in.vtp"))
+        script = os.path.join(os.path.dirname(self.script), "flat_parts.py")
+        distances, flat = [], []
+        for density in ("1", "0.1"):
+            result = subprocess.run(
+                [sys.executable, script, "in.vtp", "out.vtp", "1500", "0.2", density],
+                cwd=self.folder, capture_output=True, encoding="utf-8", timeout=300, check=False)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            found = re.match(r"1500 points, RMS distance ([^,]+), largest ", result.stdout)
+            distances.append(float(found.group(1)))
+            points = vtk_to_numpy(read(self.path("out.vtp")).GetPoints().GetData())
+            inside = numpy.hypot(points[:, 0], points[:, 2]) < 0.4
+            flat.append(numpy.count_nonzero(inside & (abs(points[:, 1]) > 0.499)))
+        self.assertLess(distances[1], 0.9 * distances[0])
+        self.assertLess(flat[1], 0.6 * flat[0])
+        self.assertGreater(flat[1], 0.2 * flat[0])
 
     def test_render_from_above(self):
         render = os.path.join(os.path.dirname(self.script), os.pardir, "Gallery", "render.py")
