@@ -1,4 +1,4 @@
-// RemeshRepair: where triangles on one side of a thin sheet lie next to the other side, sites are
+// FlipRounds: where triangles on one side of a thin sheet lie next to the other side, sites are
 // added until they do not.
 
 #include "RemeshFacing.h"

@@ -12,6 +12,10 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 using namespace remesh;
 using namespace remesh::test;
 
@@ -76,8 +80,7 @@ vtkIdType factOf(vtkAnisotropicRemesher* filter, const char* name)
   return static_cast<vtkIdType>(fact->GetComponent(0, 0));
 }
 
-/** Sheets closer to each other than the sagitta of their triangles, here and there or everywhere.
- */
+/** Sheets closer than the sagitta of their triangles, here and there or everywhere. */
 void testStrays()
 {
   for (const double radius : { 0.97, 0.99 })
@@ -98,30 +101,31 @@ void testStrays()
   }
 }
 
+/** Whether there are as many warnings as words, each beginning with its own. */
+bool beginWith(const std::vector<std::string>& warnings, const std::vector<std::string>& words)
+{
+  return std::equal(warnings.begin(), warnings.end(), words.begin(), words.end(),
+    [](const std::string& warning, const std::string& first)
+    { return warning.compare(0, first.size(), first) == 0; });
+}
+
 /** Flipped triangles and strays have a warning each, from one on. */
 void testNumbersOfWrongTriangles()
 {
   const auto warningsWith = [](Offset flipped, Offset strays)
   {
     NumberOutcome outcome;
+    outcome.result.dual.triangles.resize(1000); // of which few are wrong
     outcome.result.placement.repair.flippedTriangles = flipped;
     outcome.result.placement.wrongWay = flipped + strays;
     return warningsOf(outcome, RemeshOptions(), true);
   };
-  const auto begins = [](const std::string& text, const std::string& words)
-  { return text.compare(0, words.size(), words) == 0; };
-  CHECK(warningsWith(0, 0).empty());
-  const auto flips = warningsWith(12, 0);
-  CHECK_EQUAL(flips.size(), std::size_t(1));
-  CHECK(begins(flips[0], "12 triangles face the surface the wrong way"));
-  const auto stray = warningsWith(0, 1);
-  CHECK_EQUAL(stray.size(), std::size_t(1));
-  CHECK(begins(
-    stray[0], "1 triangle is closer to another part of the surface than to its own, facing it"));
-  const auto both = warningsWith(1, 3);
-  CHECK_EQUAL(both.size(), std::size_t(2));
-  CHECK(begins(both[0], "1 triangle faces the surface the wrong way"));
-  CHECK(begins(both[1], "3 triangles are closer to another part"));
+  CHECK(beginWith(warningsWith(0, 0), {}));
+  CHECK(beginWith(warningsWith(12, 0), { "12 triangles face the surface the wrong way" }));
+  CHECK(beginWith(warningsWith(0, 1),
+    { "1 triangle is closer to another part of the surface than to its own, facing it" }));
+  CHECK(beginWith(warningsWith(1, 3),
+    { "1 triangle faces the surface the wrong way", "3 triangles are closer to another part" }));
 }
 
 /** A surface that goes through itself, between rims that all but touch. */
@@ -142,12 +146,10 @@ void testFlipped()
   const vtkIdType strays = factOf(filter, "NumberOfStrayTriangles");
   CHECK(flipped > 0 && strays > 0);
   CHECK_EQUAL(messages.warnings().size(), std::size_t(2));
-  const auto tells = [&](std::size_t warning, vtkIdType count)
-  {
-    const std::string words = " " + std::to_string(count) + " triangle";
-    return messages.warnings()[warning].find(words) != std::string::npos;
-  };
-  CHECK(tells(0, flipped) && tells(1, strays));
+  const std::string told = messages.warnings().empty() ? "" : messages.warnings().front();
+  const std::string last = messages.warnings().empty() ? "" : messages.warnings().back();
+  CHECK(told.find(" " + std::to_string(flipped) + " triangle") != std::string::npos);
+  CHECK(last.find(" " + std::to_string(strays) + " triangle") != std::string::npos);
 }
 
 /** A sphere with spikes that a few points cannot follow. */
