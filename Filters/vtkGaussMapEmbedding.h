@@ -14,6 +14,16 @@
  * drops) have zeros after their position. Give the output to vtkAnisotropicRemesher with
  * `SetEmbeddingArray("Embedding")`, or change the array first to make an embedding of your own.
  *
+ * @par When to use it:
+ * - To see what vtkAnisotropicRemesher works on: the first three components are the position, the
+ *   next three the scaled normal. Where the normal changes fast, triangles become small or long.
+ * - To remesh in a space of your own: change `Embedding`, as with a calculator, and choose it there
+ *   as `EmbeddingArray`.
+ *
+ * @par What is guaranteed:
+ * Points, cells and arrays of the input are passed on as they are; one array is added.
+ *
+ * @par Limits:
  * Unusable input is an error, as for vtkAnisotropicRemesher, and the output is empty.
  */
 #ifndef vtkGaussMapEmbedding_h
