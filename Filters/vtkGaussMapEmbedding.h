@@ -2,6 +2,10 @@
  * @class   vtkGaussMapEmbedding
  * @brief   Adds the embedding of a surface in R^d as the point array `Embedding`.
  *
+ * Shows the space in which vtkAnisotropicRemesher measures: each point's position, its normal times
+ * the anisotropy, and what else is part of the embedding (see vtkEmbeddedSurfaceAlgorithm).
+ *
+ * @par Outputs and arrays:
  * Output: the input, geometry and arrays untouched, with one more point array `Embedding`
  * (double, d components, one tuple per input point): what vtkAnisotropicRemesher with the same
  * parameters works on (with the `NormalSmoothingRadius` that its field data tells) where no

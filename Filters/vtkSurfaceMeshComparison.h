@@ -56,7 +56,7 @@
  *
  * Distances are between all points of the surfaces, not between vertices: means are integrals over
  * the area, by quadrature, or on triangles with fewer than six places by their mean, at about
- * NumberOfSamples fixed places on each surface. `MaximumDistance`
+ * `NumberOfSamples` fixed places on each surface. `MaximumDistance`
  * is the largest distance found, so the true (Hausdorff) distance is not less; it is not more than
  * `MaximumDistanceBound` (but for rounding). The bound is refined until it is at most 1 % above the
  * maximum or a millionth of the diagonal; on surfaces that are very close to each other for their
@@ -76,7 +76,7 @@
  * is as none, with a warning.
  *
  * Cost: a search, logarithmic in the number of triangles, for each sample, point and triangle, and
- * for at most 5 NumberOfSamples parts of triangles for the bound, each way.
+ * for at most 5 `NumberOfSamples` parts of triangles for the bound, each way.
  */
 #ifndef vtkSurfaceMeshComparison_h
 #define vtkSurfaceMeshComparison_h

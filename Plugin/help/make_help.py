@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""make_help.py --headers DIR --xml FILE... --output DIR: writes the plugin's help pages.
+"""make_help.py --headers DIR --xml FILE... --output DIR [--prune DIR]: writes the help pages.
 
 One page a filter of the menu, named as ParaView's "?" button asks for it, `filters.<name>.html`,
 and `index.html`. All text comes from the class comments and setters' comments of the headers and
@@ -21,14 +21,17 @@ TITLES = (USE, INPUT, OUTPUTS, GUARANTEES, LIMITS, REFERENCE)
 # What a base class says without a title belongs there.
 UNTITLED = {"vtkEmbeddedSurfaceAlgorithm": INPUT, "vtkRestrictedVoronoiAlgorithm": OUTPUTS}
 # Sentences for those who call C++, which a page leaves out.
-FOR_PROGRAMMERS = re.compile(r"^(nullptr|Input array to process|Input port \d+ is|Setters )")
+FOR_PROGRAMMERS = re.compile(r"^(nullptr|Input array to process|Setters )")
+# VTK's classes in the words of the window.
+KINDS = {"vtkPolyData": "polygonal data", "vtkTable": "table"}
 STYLE = """
 body { margin: 12px; }
 h1 { font-size: x-large; }
 h2 { font-size: large; margin-top: 18px; }
 h3 { font-size: medium; margin-top: 12px; }
 p { margin-top: 4px; margin-bottom: 6px; }
-td { padding: 4px; }
+code { font-family: monospace; }
+table { margin-top: 4px; margin-bottom: 8px; }
 """
 
 
@@ -42,7 +45,9 @@ class Writer:
     def __init__(self, owner, chain, filters):
         self.owner = owner
         self.chain = chain
+        self.choices = words_of_enumerators(owner, chain)
         self.pages = {other.class_name: other for other in filters}
+        self.names_are_arrays = False  # where a word means an array before a property
 
     def link_of_class(self, name):
         """A filter's label and page, or the section of this page that a base class makes."""
@@ -54,14 +59,17 @@ class Writer:
         if name in UNTITLED and name in [one.name for one in self.chain]:
             title = UNTITLED[name]
             return f'<a href="#{anchor_of(title)}">{title}</a>'
-        return name
+        return KINDS.get(name, name)
 
     def code(self, word):
         """What stands in backticks: a property's label, or the word as it is."""
+        if word in self.choices:
+            return html.escape(self.choices[word])
         target = self.owner.properties.get(word)
-        if target:
+        if target and not self.names_are_arrays:
             return f'<a href="#{target.name}">{html.escape(target.label)}</a>'
-        return f"<code>{html.escape(word, quote=False)}</code>"
+        text = f"<code>{html.escape(word, quote=False)}</code>"
+        return f'<a href="#{target.name}">{text}</a>' if target else text
 
     def inline(self, text):
         parts = re.split(r"`([^`]+)`", text)
@@ -69,15 +77,22 @@ class Writer:
             if index % 2:
                 parts[index] = self.code(part)
                 continue
-            part = html.escape(part, quote=False)
+            part = re.sub(r"\b[A-Z][A-Z_]+\b",
+                          lambda m: self.choices.get(m[0], m[0]), html.escape(part, quote=False))
             part = re.sub(r"\^\(([^)]*)\)|\^(\w)", lambda m: f"<sup>{m[1] or m[2]}</sup>", part)
             part = part.replace("[Levy12]", f'<a href="#{anchor_of(REFERENCE)}">[Levy12]</a>')
             parts[index] = re.sub(r"\bvtk[A-Z]\w+", lambda m: self.link_of_class(m[0]), part)
         return "".join(parts)
 
     def paragraph(self, text):
-        kept = [one for one in sentences_of(text) if not FOR_PROGRAMMERS.match(one)]
-        return f"<p>{self.inline(' '.join(kept))}</p>\n" if kept else ""
+        """A paragraph; what it says of the field data becomes a list."""
+        kept = " ".join(one for one in sentences_of(text) if not FOR_PROGRAMMERS.match(one))
+        kept, field_data, arrays = kept.partition("Field data of port 0:")
+        result = f"<p>{self.inline(kept)}</p>\n" if kept else ""
+        if field_data:
+            items = "".join(f"<li>{self.inline(one)}</li>\n" for one in arrays_of(arrays))
+            result += f"<p>{field_data}</p>\n<ul>\n{items}</ul>\n"
+        return result
 
     def blocks(self, blocks):
         result = ""
@@ -104,7 +119,7 @@ class Writer:
             port, name, text = OUTPUT.match(item[0]).groups()
             lines = re.sub(r"[;.] (?=(?:[Pp]oint|[Cc]ell) arrays?:|With a reference[:,]|Always:)",
                            ".\n", text).split("\n")
-            cell = "".join(f"<p>{self.inline(line[0].upper() + line[1:])}</p>\n" for line in lines)
+            cell = "".join(f"<p>{capitalized(self.inline(line))}</p>\n" for line in lines)
             cell += self.blocks(item[1:])
             rows += f"<tr><td><b>{name}</b><br/>port {port}</td><td>{cell}</td></tr>\n"
         return table("Output", "What it holds", rows)
@@ -123,13 +138,27 @@ def table(left, right, rows):
             f"{rows}</table>\n")
 
 
+def capitalized(text):
+    return text[0].upper() + text[1:]
+
+
+def arrays_of(text):
+    """The parts of an enumeration of arrays: each begins with a name or a condition for it."""
+    parts, depth, start = [], 0, 0
+    for index, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        if letter in ",;" and depth == 0 and re.match(r"[,;] (`|with )", text[index:]):
+            parts.append(text[start:index].strip())
+            start = index + 1
+    return parts + [text[start:].strip().rstrip(".")]
+
+
 def sentences_of(text):
     return re.split(r"(?<=[.:])\s+(?=[A-Z`\"])", text)
 
 
 def words_of(text):
-    return [word for word in re.findall(r"[a-z0-9.]+", text.lower().replace("`", "")) if
-            len(word) > 2]
+    return [word for word in re.findall(r"[a-z]+", text.lower()) if len(word) > 2]
 
 
 def news_of(text, known):
@@ -145,31 +174,23 @@ def news_of(text, known):
 
 
 def setters_comment(target, chain):
-    """The comment on what sets a property: by its command, or, of an input, by its name."""
-    wanted = f"Set{target.name}Connection" if target.is_input else target.command
+    """The comment on the command that sets a property; [] for inputs, which have none."""
     for one in chain:
-        if wanted in one.setters:
-            return one.setters[wanted]
+        if target.command in one.setters:
+            return one.setters[target.command]
     return []
 
 
-def with_choices(blocks, target, chain):
-    """The blocks with the panel's words for the enumerators of a property."""
-    enums = [enum for one in chain for enum in one.enums
-             if {str(value) for value in enum.values()} == set(target.choices)]
-    text = str(blocks)
-    for enum in enums:
-        if not any(re.search(rf"\b{name}\b", text) for name in enum):
-            continue
-        pattern = re.compile(r"\b(" + "|".join(enum) + r")\b")
-
-        def replaced(block):
-            if isinstance(block, str):
-                return pattern.sub(lambda m: f"\"{target.choices[str(enum[m[1]])]}\"", block)
-            return [replaced(one) for one in block]
-
-        return replaced(blocks)
-    return blocks
+def words_of_enumerators(owner, chain):
+    """The panel's words for the enumerators that the comments on its properties use."""
+    result = {}
+    for target in owner.properties.values():
+        text = str(setters_comment(target, chain))
+        for enum in (enum for one in chain for enum in one.enums):
+            if ({str(value) for value in enum.values()} == set(target.choices)
+                    and any(re.search(rf"\b{name}\b", text) for name in enum)):
+                result.update((name, target.choices[str(value)]) for name, value in enum.items())
+    return result
 
 
 def facts_of(target):
@@ -186,7 +207,7 @@ def facts_of(target):
 
 
 def property_row(target, chain, writer):
-    blocks = with_choices(setters_comment(target, chain), target, chain)
+    blocks = list(setters_comment(target, chain))
     if blocks and isinstance(blocks[0], str):
         blocks = [news_of(blocks[0], target.text)] + blocks[1:]
     cell = f"<p>{writer.inline(target.text)}</p>\n" + writer.blocks(blocks)
@@ -196,7 +217,8 @@ def property_row(target, chain, writer):
 
 def properties_by_group(owner):
     """Titles and properties: inputs, then groups of which the panel shows some, then the rest."""
-    groups = {"Inputs": [one for one in owner.properties.values() if one.is_input]}
+    groups = {"Inputs": sorted(
+        (one for one in owner.properties.values() if one.is_input), key=lambda one: one.name != "Input")}
     for one in owner.properties.values():
         if not one.is_input:
             groups.setdefault(one.group, []).append(one)
@@ -205,10 +227,6 @@ def properties_by_group(owner):
              any(one.visibility == "default" for one in groups[title])}
     for title in sorted(titles, key=lambda one: (one != "Inputs", one not in shown, one != "")):
         yield title or "General", groups[title]
-
-
-def section(title, content):
-    return f'<h2><a name="{anchor_of(title)}"></a>{title}</h2>\n{content}' if content else ""
 
 
 def document(title, body):
@@ -225,17 +243,23 @@ def page_of(owner, chain, filters):
             title = title or UNTITLED.get(one.name, "")
             if title and title not in sections:
                 raise ValueError(f"{one.name}: the help pages have no section {title!r}")
+            writer.names_are_arrays = title == OUTPUTS
             sections[title] = sections.get(title, "") + writer.blocks(blocks)
+    writer.names_are_arrays = False
 
     properties = ""
     for title, members in properties_by_group(owner):
         rows = "".join(property_row(one, chain, writer) for one in members)
         properties += f"<h3>{html.escape(title)}</h3>\n" + table("Property", "What it does", rows)
 
+    parts = {"What it does": sections[""], USE: sections[USE], "Properties": properties}
+    parts.update((title, sections[title]) for title in TITLES if title != USE)
+    parts = {title: content for title, content in parts.items() if content}
+    links = " &middot; ".join(f'<a href="#{anchor_of(title)}">{title}</a>' for title in parts)
     body = f"<h1>{html.escape(owner.label)}</h1>\n<p><b>{writer.inline(chain[0].brief)}</b></p>\n"
-    body += section("What it does", sections[""])
-    body += section(USE, sections[USE]) + section("Properties", properties)
-    body += "".join(section(title, sections[title]) for title in TITLES if title != USE)
+    body += f"<p>{links}</p>\n"
+    body += "".join(f'<h2><a name="{anchor_of(title)}"></a>{title}</h2>\n{content}'
+                    for title, content in parts.items())
     return document(html.escape(owner.label), body)
 
 
@@ -252,6 +276,7 @@ def main():
     parser.add_argument("--headers", required=True, help="folder of the filters' headers")
     parser.add_argument("--xml", required=True, nargs="+", help="server-manager XML files")
     parser.add_argument("--output", required=True, help="folder to write the pages to")
+    parser.add_argument("--prune", help="folder from which pages of other proxies are removed")
     arguments = parser.parse_args()
 
     filters = read_filters(arguments.xml)
@@ -264,6 +289,9 @@ def main():
         page = page_of(one, chain, filters)
         (output / f"filters.{one.name}.html").write_text(page, encoding="utf-8")
     (output / "index.html").write_text(index_of(filters, chains), encoding="utf-8")
+    for page in Path(arguments.prune).glob("*.html") if arguments.prune else ():
+        if not (output / page.name).is_file():
+            page.unlink()
     return 0
 
 
