@@ -31,8 +31,8 @@
  * @par What is guaranteed:
  * - With `PreserveFeatures` the mesh has the number of points that was asked for, a few more where
  *   its topology needs them (`MaximumNumberOfExtraPoints`), or a warning says why not.
- * - Borders, corners and creases of the surface are then edges and points of the mesh, but for those
- *   that `PreserveFeatures` names as too small.
+ * - Borders, corners and creases of the surface are then edges and points of the mesh, but for
+ *   those that `PreserveFeatures` names as too small.
  * - With `DistanceTolerance`, no point of either surface is farther from the other than that, or a
  *   warning says so.
  * - The field array `TopologyPreserved` is 1 only where the topology of the surface is proven to be

@@ -1,6 +1,6 @@
 /**
  * @class   vtkGaussMapEmbedding
- * @brief   Adds the embedding of a surface in R^d as the point array `Embedding`.
+ * @brief   Adds the remesher's embedding of a surface as the point array `Embedding`.
  *
  * Shows the space in which vtkAnisotropicRemesher measures: each point's position, its normal times
  * the anisotropy, and what else is part of the embedding (see vtkEmbeddedSurfaceAlgorithm).

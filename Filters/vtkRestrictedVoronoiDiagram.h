@@ -1,6 +1,6 @@
 /**
  * @class   vtkRestrictedVoronoiDiagram
- * @brief   The restricted Voronoi diagram and Delaunay triangulation of given sites.
+ * @brief   Cuts a surface into the Voronoi cells of given sites, and joins the sites to triangles.
  *
  * Input port 0: the surface; input port 1: the sites, any point set with at least 1 point. Their
  * point array `Embedding`, if it has d components, is their place in R^d, else each is put at the

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSurfaceMeshComparison
- * @brief   How good a surface mesh is, alone and against the surface that it stands for.
+ * @brief   Measures how good a surface mesh is, alone and against a reference surface.
  *
  * Input port 0: the mesh to judge; port 1, optional: the reference surface. Both are any
  * vtkPolyData with polygons or triangle strips, which are cut into triangles as

@@ -1,8 +1,6 @@
 # Sets help_arguments for paraview_add_plugin(): the pages that the "?" button of ParaView's panel
 # opens, written by make_help.py from the headers' comments and the properties' texts. ParaView
-# compiles them into the plugin.
-option(ANISOTROPIC_REMESHING_PARAVIEW_HELP
-  "Put help pages into the ParaView plugin (needs Qt's help tools)" ON)
+# compiles them into the plugin. ANISOTROPIC_REMESHING_PARAVIEW_HELP=OFF leaves them out.
 set(help_arguments XML_DOCUMENTATION OFF)
 if (NOT PARAVIEW_USE_QT OR NOT ANISOTROPIC_REMESHING_PARAVIEW_HELP)
   return ()

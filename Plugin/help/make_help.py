@@ -86,6 +86,7 @@ class Writer:
 
     def paragraph(self, text):
         """A paragraph; what it says of the field data becomes a list."""
+        text = re.sub(r": input array to process \d+", "", text)
         kept = " ".join(one for one in sentences_of(text) if not FOR_PROGRAMMERS.match(one))
         kept, field_data, arrays = kept.partition("Field data of port 0:")
         result = f"<p>{self.inline(kept)}</p>\n" if kept else ""
@@ -154,7 +155,7 @@ def arrays_of(text):
 
 
 def sentences_of(text):
-    return re.split(r"(?<=[.:])\s+(?=[A-Z`\"])", text)
+    return re.split(r"(?<=[.:])\s+(?=[A-Z`\"]|nullptr)", text)
 
 
 def words_of(text):
@@ -217,8 +218,8 @@ def property_row(target, chain, writer):
 
 def properties_by_group(owner):
     """Titles and properties: inputs, then groups of which the panel shows some, then the rest."""
-    groups = {"Inputs": sorted(
-        (one for one in owner.properties.values() if one.is_input), key=lambda one: one.name != "Input")}
+    inputs = [one for one in owner.properties.values() if one.is_input]
+    groups = {"Inputs": sorted(inputs, key=lambda one: one.name != "Input")}
     for one in owner.properties.values():
         if not one.is_input:
             groups.setdefault(one.group, []).append(one)
@@ -255,7 +256,7 @@ def page_of(owner, chain, filters):
     parts = {"What it does": sections[""], USE: sections[USE], "Properties": properties}
     parts.update((title, sections[title]) for title in TITLES if title != USE)
     parts = {title: content for title, content in parts.items() if content}
-    links = " &middot; ".join(f'<a href="#{anchor_of(title)}">{title}</a>' for title in parts)
+    links = " · ".join(f'<a href="#{anchor_of(title)}">{title}</a>' for title in parts)
     body = f"<h1>{html.escape(owner.label)}</h1>\n<p><b>{writer.inline(chain[0].brief)}</b></p>\n"
     body += f"<p>{links}</p>\n"
     body += "".join(f'<h2><a name="{anchor_of(title)}"></a>{title}</h2>\n{content}'
