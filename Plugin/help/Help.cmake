@@ -7,7 +7,7 @@ if (NOT PARAVIEW_USE_QT OR NOT ANISOTROPIC_REMESHING_PARAVIEW_HELP)
 endif ()
 
 # Qt 5's tools, by the names that ParaView looks for. (What Qt 6's need ParaView says itself.)
-if (NOT DEFINED PARAVIEW_QT_MAJOR_VERSION OR PARAVIEW_QT_MAJOR_VERSION EQUAL 5)
+if (PARAVIEW_QT_MAJOR_VERSION EQUAL 5)
   # An xmlpatterns on PATH may be a link that leads nowhere.
   find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
     PATHS /usr/lib/qt5/bin NO_DEFAULT_PATH)
@@ -18,7 +18,7 @@ if (NOT DEFINED PARAVIEW_QT_MAJOR_VERSION OR PARAVIEW_QT_MAJOR_VERSION EQUAL 5)
     execute_process(COMMAND "${qt_xmlpatterns_executable}" -version
       RESULT_VARIABLE xmlpatterns_result OUTPUT_QUIET ERROR_QUIET)
   endif ()
-  find_package(Qt5 QUIET COMPONENTS Help)
+  find_package(Qt5Help QUIET)
   set(missing_for_help)
   if (NOT Qt5Help_FOUND)
     list(APPEND missing_for_help "Qt5Help (Debian: qttools5-dev, qttools5-dev-tools)")
