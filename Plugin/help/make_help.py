@@ -159,7 +159,9 @@ def sentences_of(text):
 
 
 def words_of(text):
-    return [word for word in re.findall(r"[a-z]+", text.lower()) if len(word) > 2]
+    """The words that say something; defaults and ranges are told elsewhere."""
+    return [word for word in re.findall(r"[a-z]+", text.lower())
+            if len(word) > 2 and word not in ("the", "and", "default", "least", "most", "from")]
 
 
 def news_of(text, known):
