@@ -2,6 +2,16 @@
 # opens, written by make_help.py from the headers' comments and the properties' texts. ParaView
 # compiles them into the plugin. ANISOTROPIC_REMESHING_PARAVIEW_HELP=OFF leaves them out.
 set(help_arguments XML_DOCUMENTATION OFF)
+if (NOT DEFINED PARAVIEW_QT_MAJOR_VERSION) # before 5.13
+  set(PARAVIEW_QT_MAJOR_VERSION 5)
+endif ()
+if (PARAVIEW_USE_QT)
+  find_package("Qt${PARAVIEW_QT_MAJOR_VERSION}Core" QUIET)
+  if (NOT "${Qt${PARAVIEW_QT_MAJOR_VERSION}Core_FOUND}")
+    message(FATAL_ERROR "The plugin's icons need Qt ${PARAVIEW_QT_MAJOR_VERSION}, which ParaView "
+      "was built with (Debian: qtbase5-dev).")
+  endif ()
+endif ()
 if (NOT PARAVIEW_USE_QT OR NOT ANISOTROPIC_REMESHING_PARAVIEW_HELP)
   return ()
 endif ()
@@ -45,8 +55,12 @@ foreach (filter IN LISTS help_filters)
   string(APPEND help_sections "<section title=\"${title}\" ref=\"filters.${filter}.html\"/>")
 endforeach ()
 set(help_xmls ${server_manager_xmls})
-list(TRANSFORM help_xmls PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
 file(GLOB help_headers CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/../Filters/vtk*.h")
+set(help_xml_files)
+foreach (xml IN LISTS help_xmls)
+  get_filename_component(xml "${xml}" ABSOLUTE)
+  list(APPEND help_xml_files "${xml}")
+endforeach ()
 
 # ParaView makes pages of its own from the XML first. Those of the filters are replaced by these,
 # those of the base proxies, which nobody asks for, removed.
@@ -55,10 +69,10 @@ add_custom_command(
   OUTPUT ${help_pages}
   COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_LIST_DIR}/make_help.py"
           --headers "${CMAKE_CURRENT_SOURCE_DIR}/../Filters"
-          --xml ${help_xmls}
+          --xml ${help_xml_files}
           --output "${help_pages_dir}"
           --prune "${paraview_pages_dir}"
-  DEPENDS ${help_xmls} ${help_headers}
+  DEPENDS ${help_xml_files} ${help_headers}
           AnisotropicRemeshing_doc "${paraview_pages_dir}/AnisotropicRemeshing_doc.xslt"
           "${CMAKE_CURRENT_LIST_DIR}/make_help.py"
           "${CMAKE_CURRENT_LIST_DIR}/header_comments.py"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""TestHelp.py PLUGIN.so TEMPORARY_DIR HELP.qch SOURCE_DIR: the plugin's help pages and icons.
+"""TestHelp.py PLUGIN.so TEMPORARY_DIR BUILD_DIR SOURCE_DIR: the plugin's help pages and icons.
 
 Each filter of the menu has a page in the compiled help, at the address that the "?" button asks
 for. The page names every property of the XML and every output and array that the headers list, has
@@ -14,7 +14,8 @@ import xml.etree.ElementTree as ElementTree
 import zlib
 from pathlib import Path
 
-plugin, compiled_help, source = Path(sys.argv[1]), Path(sys.argv[3]), Path(sys.argv[4])
+plugin, build, source = Path(sys.argv[1]), Path(sys.argv[3]), Path(sys.argv[4])
+compiled_help = build / "Plugin" / "paraview_help" / "AnisotropicRemeshing.qch"
 problems = []
 
 SECTIONS = ("What it does", "When to use it", "Properties", "Outputs and arrays",
@@ -56,7 +57,7 @@ def read_help(path):
 def read_proxies():
     """All proxy elements of the plugin's XML by (group, name)."""
     result = {}
-    for path in sorted((source / "Plugin").glob("*.xml")):
+    for path in [*(source / "Plugin").glob("*.xml"), *(build / "Plugin").glob("*.xml")]:
         for group in ElementTree.parse(path).getroot().findall("ProxyGroup"):
             for proxy in group.findall("SourceProxy"):
                 result[(group.get("name"), proxy.get("name"))] = proxy
