@@ -3,6 +3,7 @@
 #include "vtkEmbeddedSurfaceInternals.h"
 
 #include "Adaptors/OutputPorts.h"
+#include "Adaptors/ParameterCheck.h"
 #include "Adaptors/SurfaceIntake.h"
 #include "Remesh.h"
 
@@ -39,6 +40,22 @@ void vtkAnisotropicRemesher::SetInitialSitesData(vtkDataObject* sites)
 void vtkAnisotropicRemesher::SetFeatureLabelArray(const char* name)
 {
   this->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
+}
+
+remesh::Status vtkAnisotropicRemesher::CheckParameters()
+{
+  remesh::ParameterCheck check;
+  check.within("DistanceTolerance", this->DistanceTolerance, 0.0, VTK_DOUBLE_MAX)
+    .within("MaximumNumberOfPoints", this->MaximumNumberOfPoints, 4, VTK_ID_MAX)
+    .within("FeatureAngle", this->FeatureAngle, 0.0, 180.0)
+    .within("MaximumNumberOfExtraPoints", this->MaximumNumberOfExtraPoints, ONE_PERCENT, VTK_ID_MAX)
+    .within("SamplingMethod", this->SamplingMethod, RANDOM, STRATIFIED)
+    .within("NumberOfLloydIterations", this->NumberOfLloydIterations, 0, 100000)
+    .within("NumberOfNewtonIterations", this->NumberOfNewtonIterations, 0, 100000)
+    .within("HistoryLength", this->HistoryLength, 1, 100)
+    .within("GradientTolerance", this->GradientTolerance, 0.0, 1.0)
+    .within("EnergyTolerance", this->EnergyTolerance, 0.0, 1.0);
+  return check.status().ok() ? this->Superclass::CheckParameters() : check.status();
 }
 
 int vtkAnisotropicRemesher::RequestData(

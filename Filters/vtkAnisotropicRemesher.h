@@ -65,7 +65,7 @@ public:
    * of sites, and the mesh has more points where restricted cells are not connected (see
    * `NumberOfExtraPoints`).
    */
-  vtkSetClampMacro(NumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
+  vtkSetMacro(NumberOfPoints, vtkIdType);
   vtkGetMacro(NumberOfPoints, vtkIdType);
   ///@}
 
@@ -88,7 +88,7 @@ public:
    * ten such rounds or more, each with a diagram and a placement: count on ten times a run with the
    * number of points that come out. Not with given initial sites, which a warning tells.
    */
-  vtkSetClampMacro(DistanceTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(DistanceTolerance, double);
   vtkGetMacro(DistanceTolerance, double);
   vtkSetMacro(DistanceToleranceIsAbsolute, bool);
   vtkGetMacro(DistanceToleranceIsAbsolute, bool);
@@ -100,7 +100,7 @@ public:
    * The most points that `DistanceTolerance` may take, from 4, default 1000000; some percent more
    * where the last cells are not connected.
    */
-  vtkSetClampMacro(MaximumNumberOfPoints, vtkIdType, 4, VTK_ID_MAX);
+  vtkSetMacro(MaximumNumberOfPoints, vtkIdType);
   vtkGetMacro(MaximumNumberOfPoints, vtkIdType);
   ///@}
 
@@ -133,7 +133,7 @@ public:
    * Creases are edges whose two facets' normals differ by more than this angle in degrees, 0 to
    * 180, default 35.
    */
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkSetMacro(FeatureAngle, double);
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
@@ -160,7 +160,7 @@ public:
    * With a tolerance, ONE_PERCENT is of the number that each run has. The field array
    * `NumberOfExtraPoints` of port 0 tells by how many it does, for whatever reason.
    */
-  vtkSetClampMacro(MaximumNumberOfExtraPoints, vtkIdType, ONE_PERCENT, VTK_ID_MAX);
+  vtkSetMacro(MaximumNumberOfExtraPoints, vtkIdType);
   vtkGetMacro(MaximumNumberOfExtraPoints, vtkIdType);
   ///@}
 
@@ -169,7 +169,7 @@ public:
    * How the first sites are drawn: RANDOM ([Levy12], Algorithm 4) or STRATIFIED (default: one site
    * in each of `NumberOfPoints` strata of equal area).
    */
-  vtkSetClampMacro(SamplingMethod, int, RANDOM, STRATIFIED);
+  vtkSetMacro(SamplingMethod, int);
   vtkGetMacro(SamplingMethod, int);
   ///@}
 
@@ -195,13 +195,13 @@ public:
 
   ///@{
   /** Lloyd's iterations ([Levy12], Algorithm 3), 0 to 100000, default 5. */
-  vtkSetClampMacro(NumberOfLloydIterations, int, 0, 100000);
+  vtkSetMacro(NumberOfLloydIterations, int);
   vtkGetMacro(NumberOfLloydIterations, int);
   ///@}
 
   ///@{
   /** Quasi-Newton (L-BFGS) iterations after those, 0 to 100000, default 30. */
-  vtkSetClampMacro(NumberOfNewtonIterations, int, 0, 100000);
+  vtkSetMacro(NumberOfNewtonIterations, int);
   vtkGetMacro(NumberOfNewtonIterations, int);
   ///@}
 
@@ -211,7 +211,7 @@ public:
    * per site and dimension. From 64 dimensions on, where a pair is more than 16 MB, no more than 3
    * or what fits into a twelfth of the embedding's own memory are kept.
    */
-  vtkSetClampMacro(HistoryLength, int, 1, 100);
+  vtkSetMacro(HistoryLength, int);
   vtkGetMacro(HistoryLength, int);
   ///@}
 
@@ -220,7 +220,7 @@ public:
    * The quasi-Newton iterations end where the norm of the energy's gradient is at most this
    * fraction of that of the initial sampling, 0 to 1, default 0 (never).
    */
-  vtkSetClampMacro(GradientTolerance, double, 0.0, 1.0);
+  vtkSetMacro(GradientTolerance, double);
   vtkGetMacro(GradientTolerance, double);
   ///@}
 
@@ -229,7 +229,7 @@ public:
    * The quasi-Newton iterations end where one lowers the energy by at most this fraction of it,
    * 0 to 1, default 0 (only where the energy cannot be lowered any more).
    */
-  vtkSetClampMacro(EnergyTolerance, double, 0.0, 1.0);
+  vtkSetMacro(EnergyTolerance, double);
   vtkGetMacro(EnergyTolerance, double);
   ///@}
 
@@ -244,6 +244,7 @@ protected:
   ~vtkAnisotropicRemesher() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  remesh::Status CheckParameters() override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -4,6 +4,7 @@
 
 #include "Adaptors/ChosenArrays.h"
 #include "Adaptors/OutputPorts.h"
+#include "Adaptors/ParameterCheck.h"
 #include "Adaptors/SurfaceIntake.h"
 
 #include "vtkDataArray.h"
@@ -103,6 +104,39 @@ int vtkEmbeddedSurfaceAlgorithm::GetNumberOfUsedThreads() const
   return this->Internals->LastRun.Execution.threads;
 }
 
+remesh::Status vtkEmbeddedSurfaceAlgorithm::CheckParameters()
+{
+  remesh::ParameterCheck check;
+  check.within("EmbeddingMode", this->EmbeddingMode, POSITION, GAUSS_MAP)
+    .within("Anisotropy", this->Anisotropy, 0.0, 1.0)
+    .within("NormalSmoothingPasses", this->NormalSmoothingPasses, -1, 10000)
+    .within("NormalSmoothingRadius", this->NormalSmoothingRadius, -1.0, VTK_DOUBLE_MAX)
+    .within("MergeTolerance", this->MergeTolerance, 0.0, 0.1)
+    .within("NumberOfThreads", this->NumberOfThreads, 0, 1024)
+    .within("SMPBackend", this->SMPBackend, SMP_AUTOMATIC, SMP_TBB);
+  return check.status();
+}
+
+remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::FindNormals(
+  vtkEmbeddedSurfaceAlgorithm* self, vtkPolyData* input, remesh::PreparationRequest& request)
+{
+  if (self->EstimateNormals)
+  {
+    return remesh::Status::success();
+  }
+  vtkInformation* choice = self->GetInputArrayInformation(0);
+  const bool isAutomatic = remesh::isPointAttribute(choice, vtkDataSetAttributes::NORMALS) ||
+    (remesh::isChosenByName(choice) &&
+      choice->Get(vtkDataObject::FIELD_NAME()) == std::string("Automatic"));
+  if (isAutomatic) // what is active is taken if it is there
+  {
+    request.normals = input->GetPointData()->GetNormals();
+    return remesh::Status::success();
+  }
+  request.normalsRequired = true;
+  return remesh::findPointArray(choice, input, "normals", request.normals);
+}
+
 remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   vtkEmbeddedSurfaceAlgorithm* self, vtkInformationVector** inputVector,
   remesh::PreparationRequest& request)
@@ -122,16 +156,7 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   request.preserveFeatures = features.Preserve;
   request.featureAngle = features.Angle;
 
-  vtkInformation* normals = self->GetInputArrayInformation(0);
-  // The default: what is active is taken if it is there.
-  request.normalsRequired = !remesh::isPointAttribute(normals, vtkDataSetAttributes::NORMALS);
-  if (!request.normalsRequired)
-  {
-    request.normals = input->GetPointData()->GetNormals();
-  }
-  else if (remesh::Status status =
-             remesh::findPointArray(normals, input, "normals", request.normals);
-           !status.ok())
+  if (remesh::Status status = FindNormals(self, input, request); !status.ok())
   {
     return status;
   }
@@ -171,8 +196,12 @@ vtkEmbeddedSurfaceAlgorithm::vtkInternals::Outcome
 vtkEmbeddedSurfaceAlgorithm::vtkInternals::Execute(vtkEmbeddedSurfaceAlgorithm* self,
   vtkInformationVector* outputVector, const std::function<remesh::Status()>& work)
 {
-  remesh::Status status = remesh::runFilter(
-    self, self->SMPBackend, self->NumberOfThreads, work, self->Internals->LastRun.Execution);
+  remesh::Status status = self->CheckParameters();
+  if (status.ok())
+  {
+    status = remesh::runFilter(
+      self, self->SMPBackend, self->NumberOfThreads, work, self->Internals->LastRun.Execution);
+  }
   if (!status.ok())
   {
     remesh::emptyPorts(outputVector);
@@ -200,6 +229,7 @@ void vtkEmbeddedSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "EmbeddingMode: " << this->EmbeddingMode << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
+  os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
   os << indent << "NormalSmoothingPasses: " << this->NormalSmoothingPasses << "\n";
   os << indent << "NormalSmoothingRadius: " << this->NormalSmoothingRadius << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";

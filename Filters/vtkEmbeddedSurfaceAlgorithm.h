@@ -17,11 +17,15 @@
  * - each coordinate array appends its components, times its scale, to that;
  * - an embedding array (input array 1) replaces all of it (any d from 2).
  *
- * Input arrays to process: 0, the point normals (default: the active ones; used as they are;
- * if there are none, normals are estimated, weighted by angle, and smoothed as
- * `NormalSmoothingPasses` tells); 1, the embedding array (default: none). Each can be chosen by
- * name ("" or "None": none) or as the active array of an attribute type; a choice that the input
- * lacks is an error when the filter runs, but for active normals.
+ * Input arrays to process: 0, the point normals (default, or by the name "Automatic": those that
+ * are active when the filter runs, used as they are; if there are none, normals are estimated,
+ * weighted by angle, and smoothed as `NormalSmoothingPasses` tells); 1, the embedding array
+ * (default: none). Each can be chosen by name ("" or "None": none) or as the active array of an
+ * attribute type; a choice that the input lacks is an error when the filter runs, but for active
+ * normals.
+ *
+ * Setters keep what they are given. A value out of the range that a property's text names, or NaN,
+ * is an error when the filter runs.
  *
  * @par Reference:
  * B. Levy, N. Bonneel: Variational Anisotropic Surface Meshing with Voronoi Parallel Linear
@@ -34,6 +38,11 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
+
+namespace remesh
+{
+struct Status;
+}
 
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkEmbeddedSurfaceAlgorithm
   : public vtkPolyDataAlgorithm
@@ -61,7 +70,7 @@ public:
    * The embedding: POSITION (d = 3, isotropic) or GAUSS_MAP (d = 6, default). Not used when an
    * embedding array is chosen.
    */
-  vtkSetClampMacro(EmbeddingMode, int, POSITION, GAUSS_MAP);
+  vtkSetMacro(EmbeddingMode, int);
   vtkGetMacro(EmbeddingMode, int);
   ///@}
 
@@ -70,8 +79,18 @@ public:
    * How much the normals count: the length given to a unit normal, as a fraction of the
    * bounding-box diagonal. 0 to 1, default 0.04; usual values are 0.02 to 0.1; 0 is isotropic.
    */
-  vtkSetClampMacro(Anisotropy, double, 0.0, 1.0);
+  vtkSetMacro(Anisotropy, double);
   vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether normals are estimated even where the input has some. Default off: input array 0 tells
+   * which are used.
+   */
+  vtkSetMacro(EstimateNormals, bool);
+  vtkGetMacro(EstimateNormals, bool);
+  vtkBooleanMacro(EstimateNormals, bool);
   ///@}
 
   ///@{
@@ -89,19 +108,19 @@ public:
    * sites, does no iterations, or has coordinate arrays. (The outputs' normals are not smoothed.)
    * Given normals never are.
    */
-  vtkSetClampMacro(NormalSmoothingPasses, int, -1, 10000);
+  vtkSetMacro(NormalSmoothingPasses, int);
   vtkGetMacro(NormalSmoothingPasses, int);
   ///@}
 
   ///@{
   /**
    * Root mean square distance over which estimated normals are smoothed, in the unit of the points;
-   * 0: they are not. Below 0, default -1: as `NormalSmoothingPasses` tells, which a radius
+   * 0: they are not. From -1; below 0, default -1: as `NormalSmoothingPasses` tells, which a radius
    * overrides. The field data of vtkAnisotropicRemesher's mesh tells which it took
    * (`NormalSmoothingRadius`): with that, other filters work on the same surface in R^d, but for
    * features, along which it alone cuts, and needles, whose normals it alone leaves out.
    */
-  vtkSetClampMacro(NormalSmoothingRadius, double, -1.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(NormalSmoothingRadius, double);
   vtkGetMacro(NormalSmoothingRadius, double);
   ///@}
 
@@ -112,7 +131,7 @@ public:
    * but rounding, shorter than 1e-12 of the diagonal. Where points on the border are others but for
    * rounding, a warning says so.
    */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, 0.1);
+  vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
   ///@}
 
@@ -139,7 +158,7 @@ public:
    * Threads to use, 0 to 1024, at most as many as there are processors; default 0: as many as the
    * back-end offers. The output does not depend on it.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkSetMacro(NumberOfThreads, int);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
@@ -149,7 +168,7 @@ public:
    * STDThread where that is Sequential, as in ParaView. One that this VTK lacks gives a warning
    * and the automatic choice. The output does not depend on it.
    */
-  vtkSetClampMacro(SMPBackend, int, SMP_AUTOMATIC, SMP_TBB);
+  vtkSetMacro(SMPBackend, int);
   vtkGetMacro(SMPBackend, int);
   ///@}
 
@@ -172,6 +191,9 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
+  /** The first parameter that is out of its range, as an error; asked before each execution. */
+  virtual remesh::Status CheckParameters();
+
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 
@@ -181,6 +203,7 @@ private:
 
   int EmbeddingMode = GAUSS_MAP;
   double Anisotropy = 0.04;
+  bool EstimateNormals = false;
   int NormalSmoothingPasses = -1;
   double NormalSmoothingRadius = -1.0;
   double MergeTolerance = 0.0;

@@ -46,6 +46,10 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
     std::map<std::string, double> Seconds;
   } LastRun;
 
+  /** The normals to use, as the filter's choice and this input say. */
+  static remesh::Status FindNormals(
+    vtkEmbeddedSurfaceAlgorithm* self, vtkPolyData* input, remesh::PreparationRequest& request);
+
   /**
    * The filter's parameters and chosen arrays as a request; fails for an input without polygons
    * (EmptyInput, InvalidInput as checkForPolygons), and then for arrays that are missing.
@@ -61,7 +65,8 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
   };
 
   /**
-   * Runs `work` in the filter's threads and back-end, and turns its status into VTK's errors.
+   * Checks the parameters, runs `work` in the filter's threads and back-end, and turns the status
+   * into VTK's errors.
    * `work` sets LastRun.Intake: an input that has triangles, but none of use, gives a warning.
    * What `work` wrote to the outputs is taken back unless all of it was done.
    */

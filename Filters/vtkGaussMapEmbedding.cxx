@@ -4,6 +4,7 @@
 
 #include "Adaptors/ArrayHelpers.h"
 #include "Adaptors/Distribution.h"
+#include "Adaptors/ParameterCheck.h"
 #include "Adaptors/ProgressAdaptor.h"
 
 #include "vtkInformation.h"
@@ -43,6 +44,13 @@ void addEmbedding(const remesh::PreparedSurface& prepared, bool positionFirst, v
     }
   }
 }
+}
+
+remesh::Status vtkGaussMapEmbedding::CheckParameters()
+{
+  remesh::ParameterCheck check;
+  check.within("NumberOfPoints", this->NumberOfPoints, 1, VTK_ID_MAX);
+  return check.status().ok() ? this->Superclass::CheckParameters() : check.status();
 }
 
 int vtkGaussMapEmbedding::RequestData(

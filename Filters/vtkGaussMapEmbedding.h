@@ -35,7 +35,7 @@ public:
    * normals are smoothed over 1.5 times their mean spacing, if at all (see
    * `NormalSmoothingPasses`).
    */
-  vtkSetClampMacro(NumberOfPoints, vtkIdType, 1, VTK_ID_MAX);
+  vtkSetMacro(NumberOfPoints, vtkIdType);
   vtkGetMacro(NumberOfPoints, vtkIdType);
   ///@}
 
@@ -43,6 +43,7 @@ protected:
   vtkGaussMapEmbedding();
   ~vtkGaussMapEmbedding() override;
 
+  remesh::Status CheckParameters() override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

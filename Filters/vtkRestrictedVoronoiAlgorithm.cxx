@@ -5,6 +5,7 @@
 #include "Adaptors/DiagramOutput.h"
 #include "Adaptors/Distribution.h"
 #include "Adaptors/NumberRun.h"
+#include "Adaptors/ParameterCheck.h"
 #include "Adaptors/ProgressAdaptor.h"
 #include "Adaptors/ReservedNames.h"
 #include "Adaptors/RunWarnings.h"
@@ -48,6 +49,14 @@ int vtkRestrictedVoronoiAlgorithm::FillOutputPortInformation(int port, vtkInform
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == CONVERGENCE ? "vtkTable" : "vtkPolyData");
   return 1;
+}
+
+remesh::Status vtkRestrictedVoronoiAlgorithm::CheckParameters()
+{
+  remesh::ParameterCheck check;
+  check.within("VertexPlacement", this->VertexPlacement, CENTROID, FIT)
+    .within("MaximumCellEmbeddingDimension", this->MaximumCellEmbeddingDimension, 0, 100000);
+  return check.status().ok() ? this->Superclass::CheckParameters() : check.status();
 }
 
 void vtkRestrictedVoronoiAlgorithm::SetDensityArray(const char* name)

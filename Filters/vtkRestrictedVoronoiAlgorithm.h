@@ -4,15 +4,17 @@
  *
  * - Port 0 `Surface`: triangles, the restricted Delaunay triangulation, with one point per
  *   connected component of a restricted cell, placed by `VertexPlacement`. Point arrays: `SiteId`,
- *   `ComponentId`, `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, and the input's;
- *   cell arrays: the input's.
+ *   `ComponentId`, `CellColor`, `CellArea`, `CellMass`, `CellEnergy`, `Embedding`, `Normals`, and
+ * the input's; cell arrays: the input's.
  * - Port 1 `VoronoiCells`: convex polygons, one per facet and site (no points or lines that ties
  *   leave). Cell arrays: `SiteId`, `MergedSiteId`, `ComponentId`, `PatchId`, `InputCellId`,
- *   `CellArea`, `CellMass`, `CellEnergy` (of the site's whole cell); point array: `Embedding`.
+ *   `CellColor` (the active scalars), `CellArea`, `CellMass`, `CellEnergy` (of the site's whole
+ * cell); point array: `Embedding`.
  * - Port 2 `Sites`: one vertex per site. Point arrays: `SiteId`, `MergedSiteId`, `PatchId`,
- *   `Weight`, `Embedding`, `CellArea`, `CellMass`, `CellEnergy`, `Centroid`, `NumberOfNeighbors`.
- * - Port 3 `Convergence`: vtkTable with `Iteration`, `Energy`, `GradientNorm`, `StepLength`, `Time`
- *   (s).
+ *   `CellColor`, `Weight`, `Embedding`, `CellArea`, `CellMass`, `CellEnergy`, `Centroid`,
+ * `NumberOfNeighbors`.
+ * - Port 3 `Convergence`: vtkTable with `Iteration`, `Energy`, `GradientNorm`, `StepLength`,
+ *   `Seconds` (since the start).
  * - Port 4 `Edges`: lines. Cell arrays: `EdgeType` (0 between two cells, 1 feature, 2 boundary, 3
  *   non-manifold), `SiteId` (2 components, -1 for none).
  *
@@ -21,6 +23,9 @@
  * `SiteId` among them, and the `SiteId` of port 0. `PatchId` numbers the parts of the surface that
  * features enclose. Such points lie on the feature, whatever `VertexPlacement` says. `Weight` is
  * that of a power diagram's site, 0: the cells are those of nearest sites.
+ *
+ * `CellColor` is a small number to colour cells by: those of cells that touch differ (0 to 5 on a
+ * sphere), and so do those of points joined by an edge of the mesh, but for edges that were turned.
  *
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
  * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose normal makes
@@ -52,12 +57,12 @@
  *   together; values are never mixed;
  * - not carried over: global ids and ghost marks; with a warning, arrays of the wrong length and
  *   those named like the mesh's own, also like those that only other runs have (`CellWeightedMass`,
- *   field data such as `MaximumDistance`).
+ *   field data such as `MaximumDistance`); without one where the input is such a mesh itself.
  *
  * `Normals` are those of the surface there, given or estimated. Cells that a ghost array marks as
  * duplicate, refined or hidden are no part of the surface.
  *
- * Same input, parameters and seed give the same bytes on all ports but for the column `Time`,
+ * Same input, parameters and seed give the same bytes on all ports but for the column `Seconds`,
  * whatever the number of threads and the back-end.
  */
 #ifndef vtkRestrictedVoronoiAlgorithm_h
@@ -112,7 +117,7 @@ public:
    * that does not help, edges are turned over: these triangles are not the dual of the cells. See
    * the field arrays `NumberOfFlippedTriangles` and `NumberOfStrayTriangles` for what is left.
    */
-  vtkSetClampMacro(VertexPlacement, int, CENTROID, FIT);
+  vtkSetMacro(VertexPlacement, int);
   vtkGetMacro(VertexPlacement, int);
   ///@}
 
@@ -165,7 +170,7 @@ public:
   /**
    * The largest d for which the points of port 1 carry `Embedding`, 0 to 100000; default 16.
    */
-  vtkSetClampMacro(MaximumCellEmbeddingDimension, int, 0, 100000);
+  vtkSetMacro(MaximumCellEmbeddingDimension, int);
   vtkGetMacro(MaximumCellEmbeddingDimension, int);
   ///@}
 
@@ -210,6 +215,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  remesh::Status CheckParameters() override;
 
   /**
    * The whole of a diagram filter's RequestData: prepares the surface of input port 0, runs the

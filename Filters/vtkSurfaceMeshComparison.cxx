@@ -4,6 +4,7 @@
 #include "Adaptors/Distribution.h"
 #include "Adaptors/ExecutionScope.h"
 #include "Adaptors/OutputPorts.h"
+#include "Adaptors/ParameterCheck.h"
 #include "Adaptors/ProgressAdaptor.h"
 
 #include "vtkInformation.h"
@@ -118,6 +119,17 @@ int vtkSurfaceMeshComparison::FillOutputPortInformation(int port, vtkInformation
 int vtkSurfaceMeshComparison::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  remesh::ParameterCheck check;
+  check.within("NumberOfSamples", this->NumberOfSamples, 1, 1000000000)
+    .within("NumberOfBins", this->NumberOfBins, 1, 10000)
+    .within("NumberOfThreads", this->NumberOfThreads, 0, 1024)
+    .within("SMPBackend", this->SMPBackend, SMP_AUTOMATIC, SMP_TBB);
+  if (!check.status().ok())
+  {
+    remesh::emptyPorts(outputVector);
+    vtkErrorMacro(<< check.status().message);
+    return 0;
+  }
   vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   remesh::DistanceOptions options;

@@ -116,7 +116,7 @@ public:
    * About how many places of each surface distances are measured at, spread by area; each triangle
    * has at least one. 1 to 1 000 000 000, default 200 000.
    */
-  vtkSetClampMacro(NumberOfSamples, vtkIdType, 1, 1000000000);
+  vtkSetMacro(NumberOfSamples, vtkIdType);
   vtkGetMacro(NumberOfSamples, vtkIdType);
   ///@}
 
@@ -132,7 +132,7 @@ public:
 
   ///@{
   /** Rows of the histograms, 1 to 10000, default 30. */
-  vtkSetClampMacro(NumberOfBins, int, 1, 10000);
+  vtkSetMacro(NumberOfBins, int);
   vtkGetMacro(NumberOfBins, int);
   ///@}
 
@@ -141,7 +141,7 @@ public:
    * Threads to use, 0 to 1024, at most as many as there are processors; default 0: as many as the
    * back-end offers. The output does not depend on it.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkSetMacro(NumberOfThreads, int);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
@@ -151,7 +151,7 @@ public:
    * STDThread where that is Sequential, as in ParaView. One that this VTK lacks gives a warning
    * and the automatic choice. The output does not depend on it.
    */
-  vtkSetClampMacro(SMPBackend, int, SMP_AUTOMATIC, SMP_TBB);
+  vtkSetMacro(SMPBackend, int);
   vtkGetMacro(SMPBackend, int);
   ///@}
 

@@ -77,7 +77,7 @@ std::string join(const std::vector<std::string>& names)
 std::string LostArrays::describe() const
 {
   std::string text;
-  if (!this->taken.empty())
+  if (!this->taken.empty() && !this->inputIsMesh)
   {
     text = "named like arrays of the mesh's own: " + join(this->taken);
   }

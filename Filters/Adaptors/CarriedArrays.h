@@ -23,6 +23,8 @@ namespace remesh
 /** Names of arrays that are not carried, and why. */
 struct LostArrays
 {
+  /** Whether the input is such a mesh itself: its own arrays are left out without a word. */
+  bool inputIsMesh = false;
   std::vector<std::string> taken; ///< the mesh has, or could have, its own of the name
   std::vector<std::string> unfit; ///< not one tuple for each point or cell
 

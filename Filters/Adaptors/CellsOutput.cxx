@@ -137,6 +137,9 @@ void addPieceArrays(const DiagramSource& source, const DrawnPieces& drawn, vtkCe
   columns.add<vtkIdTypeArray>("InputCellId",
     [&](Offset polygon)
     { return source.prepared.mesh.facetInputCells[diagram.facets[drawn[polygon]]]; });
+  columns.add<vtkIntArray>(
+    "CellColor", [&](Offset polygon) { return source.result.cellColors[site(polygon)]; });
+  data->SetActiveScalars("CellColor"); // what viewers then colour by
   const CellSums& sums = source.result.sums;
   columns.add<vtkDoubleArray>(
     "CellArea", [&](Offset polygon) { return source.result.cellAreas[site(polygon)]; });
@@ -277,6 +280,7 @@ void writeEdges(const DiagramSource& source, const EdgeTable& edges, const Diagr
       const Columns columns{ output->GetCellData(), count, source.control };
       types = columns.addEmpty<vtkIdTypeArray>("EdgeType", 1)->GetPointer(0);
       sites = columns.addEmpty<vtkIdTypeArray>("SiteId", 2)->GetPointer(0);
+      output->GetCellData()->SetActiveScalars("EdgeType"); // what viewers then colour by
       connectivity->SetNumberOfValues(2 * count);
       ends = connectivity->GetPointer(0);
       offsets->SetNumberOfValues(count + 1);

@@ -19,8 +19,8 @@ namespace remesh
 using Names = std::initializer_list<const char*>;
 
 /** Point arrays of a diagram filter's mesh. */
-inline constexpr Names meshPointNames = { "SiteId", "ComponentId", "CellArea", "CellMass",
-  "CellEnergy", "CellWeightedMass", "Embedding", "Normals" };
+inline constexpr Names meshPointNames = { "SiteId", "ComponentId", "CellColor", "CellArea",
+  "CellMass", "CellEnergy", "CellWeightedMass", "Embedding", "Normals" };
 
 /** Field arrays of a diagram filter's mesh, which no other port has. */
 inline constexpr Names meshFactNames = { "NumberOfFlippedTriangles", "NumberOfNonManifoldEdges",

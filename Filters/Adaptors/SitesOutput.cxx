@@ -87,6 +87,7 @@ void writeSites(const DiagramSource& source, vtkPolyData* output)
     [&](Offset i) { return result.featureSites.mergedSite(static_cast<Index>(i)); });
   columns.add<vtkIdTypeArray>(
     "PatchId", [&](Offset i) { return source.patchOfSite(static_cast<Index>(i)); });
+  columns.add<vtkIntArray>("CellColor", [&](Offset i) { return result.cellColors[i]; });
   columns.add<vtkDoubleArray>("Weight", [](Offset) { return 0.0; });
   addPlaces(source, columns);
   columns.add<vtkDoubleArray>("CellArea", [&](Offset i) { return result.cellAreas[i]; });
@@ -114,6 +115,6 @@ void writeConvergence(const DiagramSource& source, vtkTable* output)
   columns.add<vtkDoubleArray>(
     "GradientNorm", [&](Offset k) { return rows[k].gradientNorm * gradientUnit; });
   columns.add<vtkDoubleArray>("StepLength", [&](Offset k) { return rows[k].stepLength; });
-  columns.add<vtkDoubleArray>("Time", [&](Offset k) { return rows[k].seconds; });
+  columns.add<vtkDoubleArray>("Seconds", [&](Offset k) { return rows[k].seconds; });
 }
 }

@@ -39,6 +39,8 @@ void addSiteArrays(const DiagramSource& source, const Columns& columns)
   const Components& components = source.result.components;
   columns.add<vtkIdTypeArray>("SiteId", [&](Offset k) { return components.sites[k]; });
   columns.add<vtkIdTypeArray>("ComponentId", [&](Offset k) { return components.ranks[k]; });
+  columns.add<vtkIntArray>(
+    "CellColor", [&](Offset k) { return source.result.cellColors[components.sites[k]]; });
   columns.add<vtkDoubleArray>("CellArea", [&](Offset k) { return components.area[k]; });
   columns.add<vtkDoubleArray>(
     "CellMass", [&](Offset k) { return source.componentMass()[k] * source.massUnit(); });
@@ -52,6 +54,14 @@ void addSiteArrays(const DiagramSource& source, const Columns& columns)
   columns.addTuples<vtkDoubleArray>("Embedding", source.dimension(),
     [&](Offset k, double* values)
     { source.surface().toCaller(source.result.sites.site(components.sites[k]), values); });
+}
+
+/** Whether a surface is the mesh of an earlier run, by the arrays that all of them have. */
+bool isRemeshed(vtkPolyData* surface)
+{
+  const auto has = [data = surface->GetPointData()](const char* name)
+  { return data->HasArray(name) != 0; };
+  return has("SiteId") && has("ComponentId") && has("CellMass") && has("CellEnergy");
 }
 
 void addFacts(const DiagramSource& source, vtkFieldData* data)
@@ -101,6 +111,7 @@ void writeSurface(
   addNormals(source, columns);
   data->SetActiveNormals("Normals");
   LostArrays lost;
+  lost.inputIsMesh = isRemeshed(source.input);
   carryPointArrays(source, output, lost);
   carryCellArrays(source, output, lost);
   addFacts(source, output->GetFieldData());

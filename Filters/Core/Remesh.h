@@ -86,6 +86,7 @@ struct RemeshResult
   Dual dual;                              ///< its triangles after placement
   Placement placement;                    ///< of its vertices
   std::vector<Index> numbersOfNeighbors;  ///< n
+  std::vector<int> cellColors;            ///< n, few, those of neighbours differ
   std::vector<double> cellAreas;          ///< n, in R^3
   Convergence convergence;
   TopologyResult topology;

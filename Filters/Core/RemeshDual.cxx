@@ -1,5 +1,6 @@
 #include "RemeshDual.h"
 
+#include "Delaunay/CellColors.h"
 #include "Delaunay/SiteRevision.h"
 #include "Embedding/Embedding.h"
 #include "Features/FeatureGraph.h"
@@ -60,6 +61,8 @@ Status describeCells(const Task& task, const RunControl& control, RemeshResult& 
   {
     return status;
   }
+  result.cellColors = colorCells(result.diagram, result.components, result.dual,
+    result.sites.count(), task.features ? &result.featureSites : nullptr);
   result.cellAreas = measureCellAreas(task.mesh, result.diagram, result.sites.count());
   return locateOnSurface(task.mesh, result.diagram, result.components, control, result.locations);
 }

@@ -95,6 +95,7 @@ void checkArrays(const std::string& where, vtkFieldData* data, vtkIdType tuples,
 }
 
 const char* const idType = "vtkIdTypeArray";
+const char* const intType = "vtkIntArray";
 const char* const doubleType = "vtkDoubleArray";
 
 void testArrays(vtkAnisotropicRemesher* filter)
@@ -104,11 +105,12 @@ void testArrays(vtkAnisotropicRemesher* filter)
   CHECK_EQUAL(surface->GetNumberOfStrips(), 0);
   checkArrays("Surface points", surface->GetPointData(), surface->GetNumberOfPoints(),
     { { "SiteId", idType, 1, true }, { "ComponentId", idType, 1, true },
-      { "CellArea", doubleType, 1, true }, { "CellMass", doubleType, 1, true },
-      { "CellEnergy", doubleType, 1, true }, { "Embedding", doubleType, dimension, true },
-      { "Normals", doubleType, 3, true }, { "Linear", doubleType, 1, true },
-      { "LinearFloat", "vtkFloatArray", 2, true }, { "Thousandths", "vtkIntArray", 1, true },
-      { "Place", doubleType, 3, true }, { "Half", "vtkStringArray", 1, true } });
+      { "CellColor", intType, 1, true }, { "CellArea", doubleType, 1, true },
+      { "CellMass", doubleType, 1, true }, { "CellEnergy", doubleType, 1, true },
+      { "Embedding", doubleType, dimension, true }, { "Normals", doubleType, 3, true },
+      { "Linear", doubleType, 1, true }, { "LinearFloat", "vtkFloatArray", 2, true },
+      { "Thousandths", "vtkIntArray", 1, true }, { "Place", doubleType, 3, true },
+      { "Half", "vtkStringArray", 1, true } });
   CHECK_EQUAL(surface->GetPointData()->GetNormals(), surface->GetPointData()->GetArray("Normals"));
   checkArrays("Surface cells", surface->GetCellData(), surface->GetNumberOfCells(),
     { { "Region", "vtkIntArray", 1, false } });
@@ -116,9 +118,9 @@ void testArrays(vtkAnisotropicRemesher* filter)
     { { "NumberOfNonManifoldEdges", idType, 1, true }, { "EulerCharacteristic", idType, 1, true },
       { "NumberOfExtraPoints", idType, 1, true }, { "Seed", idType, 1, true },
       { "Year", "vtkIntArray", 1, true }, { "NumberOfFlippedTriangles", idType, 1, true },
-      { "NumberOfStrayTriangles", idType, 1, true },
-      { "TopologyPreserved", idType, 1, true }, { "MaximumDistance", doubleType, 1, true },
-      { "RMSDistance", doubleType, 1, true }, { "NormalSmoothingRadius", doubleType, 1, true } });
+      { "NumberOfStrayTriangles", idType, 1, true }, { "TopologyPreserved", idType, 1, true },
+      { "MaximumDistance", doubleType, 1, true }, { "RMSDistance", doubleType, 1, true },
+      { "NormalSmoothingRadius", doubleType, 1, true } });
 
   vtkPolyData* cells = filter->GetVoronoiCellsOutput();
   CHECK_EQUAL(cells->GetNumberOfCells(), cells->GetNumberOfPolys());
@@ -127,8 +129,9 @@ void testArrays(vtkAnisotropicRemesher* filter)
   checkArrays("VoronoiCells cells", cells->GetCellData(), cells->GetNumberOfCells(),
     { { "SiteId", idType, 1, true }, { "MergedSiteId", idType, 1, true },
       { "ComponentId", idType, 1, true }, { "PatchId", idType, 1, true },
-      { "InputCellId", idType, 1, true }, { "CellArea", doubleType, 1, true },
-      { "CellMass", doubleType, 1, true }, { "CellEnergy", doubleType, 1, true } });
+      { "InputCellId", idType, 1, true }, { "CellColor", intType, 1, true },
+      { "CellArea", doubleType, 1, true }, { "CellMass", doubleType, 1, true },
+      { "CellEnergy", doubleType, 1, true } });
 
   vtkPolyData* sites = filter->GetSitesOutput();
   CHECK_EQUAL(sites->GetNumberOfPoints(), numberOfSites);
@@ -136,16 +139,17 @@ void testArrays(vtkAnisotropicRemesher* filter)
   CHECK_EQUAL(sites->GetNumberOfVerts(), numberOfSites);
   checkArrays("Sites points", sites->GetPointData(), numberOfSites,
     { { "SiteId", idType, 1, true }, { "MergedSiteId", idType, 1, true },
-      { "PatchId", idType, 1, true }, { "Weight", doubleType, 1, true },
-      { "Embedding", doubleType, dimension, true }, { "CellArea", doubleType, 1, true },
-      { "CellMass", doubleType, 1, true }, { "CellEnergy", doubleType, 1, true },
-      { "Centroid", doubleType, dimension, true }, { "NumberOfNeighbors", idType, 1, true } });
+      { "PatchId", idType, 1, true }, { "CellColor", intType, 1, true },
+      { "Weight", doubleType, 1, true }, { "Embedding", doubleType, dimension, true },
+      { "CellArea", doubleType, 1, true }, { "CellMass", doubleType, 1, true },
+      { "CellEnergy", doubleType, 1, true }, { "Centroid", doubleType, dimension, true },
+      { "NumberOfNeighbors", idType, 1, true } });
 
   vtkTable* table = filter->GetConvergenceOutput();
   checkArrays("Convergence", table->GetRowData(), table->GetNumberOfRows(),
     { { "Iteration", idType, 1, true }, { "Energy", doubleType, 1, true },
       { "GradientNorm", doubleType, 1, true }, { "StepLength", doubleType, 1, true },
-      { "Time", doubleType, 1, true } });
+      { "Seconds", doubleType, 1, true } });
 
   vtkPolyData* edges = filter->GetEdgesOutput();
   CHECK_EQUAL(edges->GetNumberOfCells(), edges->GetNumberOfLines());
@@ -274,7 +278,8 @@ void testConvergence(vtkAnisotropicRemesher* filter)
   for (vtkIdType k = 0; k < rows; ++k)
   {
     CHECK_EQUAL(column("Iteration")->GetComponent(k, 0), static_cast<double>(k));
-    CHECK(column("Time")->GetComponent(k, 0) >= (k ? column("Time")->GetComponent(k - 1, 0) : 0));
+    CHECK(
+      column("Seconds")->GetComponent(k, 0) >= (k ? column("Seconds")->GetComponent(k - 1, 0) : 0));
     const double energy = column("Energy")->GetComponent(k, 0);
     CHECK(k == 0 || energy <= column("Energy")->GetComponent(k - 1, 0));
     const double step = column("StepLength")->GetComponent(k, 0);

@@ -42,7 +42,7 @@ inline std::string bytesOf(vtkAbstractArray* array)
 
 using Content = std::map<std::string, std::string>;
 
-/** All that a vtkPolyData or vtkTable holds, by name, but columns called `Time`. */
+/** All that a vtkPolyData or vtkTable holds, by name, but columns called `Seconds`. */
 inline Content contentOf(vtkDataObject* data)
 {
   Content content;
@@ -52,7 +52,7 @@ inline Content contentOf(vtkDataObject* data)
     {
       vtkAbstractArray* array = arrays->GetAbstractArray(k);
       const std::string name = array->GetName() ? array->GetName() : "";
-      if (name != "Time")
+      if (name != "Seconds")
       {
         content[prefix + name] = bytesOf(array);
       }

@@ -389,6 +389,40 @@ void testDegenerateInput()
   }
 }
 
+/** Which normals are used follows from the input of each run, unless they are not to be used. */
+void testChoiceOfNormals()
+{
+  const Input plain = goodInput();
+  const Input given = withArray("N", 3, 1.0, 2.0);
+  given->GetPointData()->SetActiveNormals("N");
+  const auto normalOf = [](vtkEmbeddedSurfaceAlgorithm* filter, vtkPolyData* input)
+  {
+    filter->SetInputData(input);
+    Messages messages(filter);
+    filter->Update();
+    CHECK(messages.errors().empty() && messages.warnings().empty());
+    return tupleOf(arrayOf(filter->GetOutput()->GetPointData(), "Embedding"), 3);
+  };
+  vtkNew<vtkGaussMapEmbedding> filter;
+  const auto estimated = normalOf(filter, plain);
+  const auto used = normalOf(filter, given);
+  CHECK(estimated != used);
+  for (const char* name : { "Automatic", "N" })
+  {
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+    CHECK(normalOf(filter, given) == used);
+  }
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Automatic");
+  CHECK(normalOf(filter, plain) == estimated);
+  for (const bool byName : { true, false })
+  {
+    filter->SetInputArrayToProcess(
+      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, byName ? "None" : "Automatic");
+    filter->SetEstimateNormals(!byName);
+    CHECK(normalOf(filter, given) == estimated);
+  }
+}
+
 /** Normals that came by themselves and are no good are replaced, with a warning. */
 void testUnusableActiveNormals()
 {
@@ -417,5 +451,6 @@ int TestErrors(int, char*[])
   testEmptyInput();
   testDegenerateInput();
   testUnusableActiveNormals();
+  testChoiceOfNormals();
   return result();
 }

@@ -1,12 +1,17 @@
-// Defaults, clamping and PrintSelf of the filters' properties.
+// Defaults, ranges and PrintSelf of the filters' properties.
 
 #include "TestHelpers.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
 #include "vtkRestrictedVoronoiDiagram.h"
+#include "vtkSurfaceMeshComparison.h"
 
+#include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
+#include <type_traits>
 
 using namespace remesh;
 using namespace remesh::test;
@@ -30,7 +35,7 @@ void checkPrints(vtkObject* object, const std::vector<const char*>& names)
   }
 }
 
-const std::vector<const char*> ofSurfaces = { "EmbeddingMode", "Anisotropy",
+const std::vector<const char*> ofSurfaces = { "EmbeddingMode", "Anisotropy", "EstimateNormals",
   "NormalSmoothingPasses", "NormalSmoothingRadius", "MergeTolerance", "CoordinateArrays",
   "NumberOfThreads", "SMPBackend", "NumberOfInputComponents", "NumberOfDroppedTriangles",
   "NumberOfMergedPoints", "UsedBackend", "NumberOfUsedThreads" };
@@ -42,38 +47,72 @@ const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod"
   "GradientTolerance", "EnergyTolerance", "MaximumNumberOfExtraPoints", "DistanceTolerance",
   "DistanceToleranceIsAbsolute", "MaximumNumberOfPoints", "PreserveFeatures", "FeatureAngle" };
 
-/** Values below and above the range become its ends; what is set twice is modified once. */
+/**
+ * A value out of the range is kept, and is an error that names the property, the value and what is
+ * allowed; one at an end of the range is none. What is set twice is modified once.
+ *
+ * The input has no polygons, so that no value makes the filter work.
+ */
 template <class Value, class Set, class Get>
-void checkClamped(
-  vtkObject* object, const char* name, Value lowest, Value highest, const Set& set, const Get& get)
+void checkRange(vtkAlgorithm* filter, const std::string& name, const std::array<Value, 2>& ends,
+  const Set& set, const Get& get)
 {
-  const auto expect = [&](Value given, Value expected)
+  const Value before = get();
+  const auto errorOf = [&](Value given)
   {
     set(given);
-    check(get() == expected, __FILE__, __LINE__, described(name, "clamped", get(), expected));
-    const vtkMTimeType time = object->GetMTime();
-    set(given);
-    check(object->GetMTime() == time, __FILE__, __LINE__, std::string(name) + " modified twice");
+    check(get() == given || std::isnan(static_cast<double>(given)), __FILE__, __LINE__,
+      described(name.c_str(), "kept", get(), given));
+    Messages messages(filter);
+    filter->Update();
+    return messages.errors().size() == 1 ? messages.errors()[0] : std::string("not one error");
   };
-  expect(lowest, lowest);
-  expect(highest, highest);
-  expect(static_cast<Value>(lowest - 1), lowest);
+  const auto expect = [&](Value given, bool allowed)
+  {
+    std::ostringstream must;
+    must << name << " must be ";
+    const std::string error = errorOf(given);
+    check((error.find(must.str()) == std::string::npos) == allowed, __FILE__, __LINE__,
+      described(name.c_str(), "error", error, must.str()));
+  };
+  const auto [lowest, highest] = ends;
+  expect(lowest, true);
+  expect(highest, true);
+  expect(static_cast<Value>(lowest - 1), false);
   if (static_cast<double>(highest) < 1e9)
   {
-    expect(static_cast<Value>(highest + 1), highest);
+    expect(static_cast<Value>(highest + 1), false);
   }
+  if constexpr (std::is_floating_point_v<Value>)
+  {
+    expect(std::numeric_limits<Value>::quiet_NaN(), false);
+    expect(std::numeric_limits<Value>::infinity(), false);
+  }
+  set(before);
+  const vtkMTimeType time = filter->GetMTime();
+  set(before);
+  check(filter->GetMTime() == time, __FILE__, __LINE__, name + " modified twice");
 }
 
-#define CHECK_CLAMPED(filter, Property, lowest, highest)                                           \
-  checkClamped<decltype(filter->Get##Property())>(                                                 \
-    filter, #Property, lowest, highest, [&](auto value) { filter->Set##Property(value); },         \
+#define CHECK_RANGE(filter, Property, lowest, highest)                                             \
+  checkRange<decltype(filter->Get##Property())>(                                                   \
+    filter, #Property, { lowest, highest }, [&](auto value) { filter->Set##Property(value); },     \
     [&]() { return filter->Get##Property(); })
+
+/** Points alone: an error of its own, after the parameters are looked at. */
+vtkSmartPointer<vtkPolyData> pointsAlone()
+{
+  const auto input = polyDataOf(icosphere(1));
+  input->SetPolys(nullptr);
+  return input;
+}
 
 void testSurfaceProperties(vtkEmbeddedSurfaceAlgorithm* filter)
 {
   using Algorithm = vtkEmbeddedSurfaceAlgorithm;
   CHECK_EQUAL(filter->GetEmbeddingMode(), static_cast<int>(Algorithm::GAUSS_MAP));
   CHECK_EQUAL(filter->GetAnisotropy(), 0.04);
+  CHECK_EQUAL(filter->GetEstimateNormals(), false);
   CHECK_EQUAL(filter->GetNormalSmoothingPasses(), -1);
   CHECK_EQUAL(filter->GetNormalSmoothingRadius(), -1.0);
   CHECK_EQUAL(filter->GetMergeTolerance(), 0.0);
@@ -88,13 +127,18 @@ void testSurfaceProperties(vtkEmbeddedSurfaceAlgorithm* filter)
   CHECK_EQUAL(filter->GetNumberOfUsedThreads(), 0);
   checkPrints(filter, ofSurfaces);
 
-  CHECK_CLAMPED(filter, EmbeddingMode, 0, 1);
-  CHECK_CLAMPED(filter, Anisotropy, 0.0, 1.0);
-  CHECK_CLAMPED(filter, NormalSmoothingPasses, -1, 10000);
-  CHECK_CLAMPED(filter, NormalSmoothingRadius, -1.0, VTK_DOUBLE_MAX);
-  CHECK_CLAMPED(filter, MergeTolerance, 0.0, 0.1);
-  CHECK_CLAMPED(filter, NumberOfThreads, 0, 1024);
-  CHECK_CLAMPED(filter, SMPBackend, 0, 3);
+  filter->SetInputData(pointsAlone());
+  if (filter->GetNumberOfInputPorts() > 1)
+  {
+    filter->SetInputData(1, polyDataOf(icosphere(1)));
+  }
+  CHECK_RANGE(filter, EmbeddingMode, 0, 1);
+  CHECK_RANGE(filter, Anisotropy, 0.0, 1.0);
+  CHECK_RANGE(filter, NormalSmoothingPasses, -1, 10000);
+  CHECK_RANGE(filter, NormalSmoothingRadius, -1.0, VTK_DOUBLE_MAX);
+  CHECK_RANGE(filter, MergeTolerance, 0.0, 0.1);
+  CHECK_RANGE(filter, NumberOfThreads, 0, 1024);
+  CHECK_RANGE(filter, SMPBackend, 0, 3);
 
   // Coordinate arrays: in the order given, and each change is one.
   vtkMTimeType time = filter->GetMTime();
@@ -135,8 +179,8 @@ void testDiagramProperties(vtkRestrictedVoronoiAlgorithm* filter)
   CHECK_EQUAL(filter->GetPhaseSeconds("lloyd"), 0.0);
   checkPrints(filter, ofDiagrams);
   CHECK_EQUAL(filter->GetVertexPlacement(), static_cast<int>(vtkAnisotropicRemesher::FIT));
-  CHECK_CLAMPED(filter, VertexPlacement, 0, 3);
-  CHECK_CLAMPED(filter, MaximumCellEmbeddingDimension, 0, 100000);
+  CHECK_RANGE(filter, VertexPlacement, 0, 3);
+  CHECK_RANGE(filter, MaximumCellEmbeddingDimension, 0, 100000);
   filter->GenerateVoronoiCellsOff();
   filter->GenerateEdgesOff();
   CHECK(!filter->GetGenerateVoronoiCells() && !filter->GetGenerateEdges());
@@ -165,19 +209,18 @@ void testRemesher()
   testSurfaceProperties(filter);
   testDiagramProperties(filter);
   checkPrints(filter, ofRemesher);
-  CHECK_CLAMPED(filter, NumberOfPoints, vtkIdType(0), vtkIdType(VTK_ID_MAX));
-  CHECK_CLAMPED(filter, SamplingMethod, 0, 1);
+  CHECK_RANGE(filter, SamplingMethod, 0, 1);
   CHECK_EQUAL(filter->GetMaximumNumberOfExtraPoints(),
     static_cast<vtkIdType>(vtkAnisotropicRemesher::ONE_PERCENT));
-  CHECK_CLAMPED(filter, MaximumNumberOfExtraPoints, vtkIdType(-2), vtkIdType(VTK_ID_MAX));
-  CHECK_CLAMPED(filter, NumberOfLloydIterations, 0, 100000);
-  CHECK_CLAMPED(filter, NumberOfNewtonIterations, 0, 100000);
-  CHECK_CLAMPED(filter, DistanceTolerance, 0.0, VTK_DOUBLE_MAX);
-  CHECK_CLAMPED(filter, MaximumNumberOfPoints, vtkIdType(4), vtkIdType(VTK_ID_MAX));
-  CHECK_CLAMPED(filter, FeatureAngle, 0.0, 180.0);
-  CHECK_CLAMPED(filter, HistoryLength, 1, 100);
-  CHECK_CLAMPED(filter, GradientTolerance, 0.0, 1.0);
-  CHECK_CLAMPED(filter, EnergyTolerance, 0.0, 1.0);
+  CHECK_RANGE(filter, MaximumNumberOfExtraPoints, vtkIdType(-2), vtkIdType(VTK_ID_MAX));
+  CHECK_RANGE(filter, NumberOfLloydIterations, 0, 100000);
+  CHECK_RANGE(filter, NumberOfNewtonIterations, 0, 100000);
+  CHECK_RANGE(filter, DistanceTolerance, 0.0, VTK_DOUBLE_MAX);
+  CHECK_RANGE(filter, MaximumNumberOfPoints, vtkIdType(4), vtkIdType(VTK_ID_MAX));
+  CHECK_RANGE(filter, FeatureAngle, 0.0, 180.0);
+  CHECK_RANGE(filter, HistoryLength, 1, 100);
+  CHECK_RANGE(filter, GradientTolerance, 0.0, 1.0);
+  CHECK_RANGE(filter, EnergyTolerance, 0.0, 1.0);
   filter->SetSeed(-5);
   CHECK_EQUAL(filter->GetSeed(), -5);
 }
@@ -219,9 +262,15 @@ int TestProperties(int, char*[])
   testSurfaceProperties(embedding);
   checkPrints(embedding, { "NumberOfPoints" });
   CHECK_EQUAL(embedding->GetNumberOfPoints(), 10000);
-  CHECK_CLAMPED(embedding, NumberOfPoints, vtkIdType(1), vtkIdType(VTK_ID_MAX));
+  CHECK_RANGE(embedding, NumberOfPoints, vtkIdType(1), vtkIdType(VTK_ID_MAX));
   CHECK_EQUAL(embedding->GetNumberOfInputPorts(), 1);
   CHECK_EQUAL(embedding->GetNumberOfOutputPorts(), 1);
+  vtkNew<vtkSurfaceMeshComparison> comparison;
+  comparison->SetInputData(pointsAlone());
+  CHECK_RANGE(comparison, NumberOfSamples, vtkIdType(1), vtkIdType(1000000000));
+  CHECK_RANGE(comparison, NumberOfBins, 1, 10000);
+  CHECK_RANGE(comparison, NumberOfThreads, 0, 1024);
+  CHECK_RANGE(comparison, SMPBackend, 0, 3);
   testModification();
   return result();
 }

@@ -21,7 +21,7 @@ CELL_ARRAYS = {"SiteId", "MergedSiteId", "ComponentId", "PatchId", "InputCellId"
                "CellMass", "CellEnergy"}
 SURFACE_ARRAYS = {"SiteId", "ComponentId", "CellArea", "CellMass", "CellEnergy", "Embedding",
                   "Normals"}
-COLUMNS = {"Iteration", "Energy", "GradientNorm", "StepLength", "Time"}
+COLUMNS = {"Iteration", "Energy", "GradientNorm", "StepLength", "Seconds"}
 
 
 def fetch(source, port=0):

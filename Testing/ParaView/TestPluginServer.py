@@ -54,7 +54,7 @@ def run():
         for attributes in fields:
             for i in range(attributes.GetNumberOfArrays()):
                 array = attributes.GetArray(i)
-                if array and array.GetName() != "Time":
+                if array and array.GetName() != "Seconds":
                     result[port, attributes.GetClassName(), array.GetName()] = bytes(memoryview(array))
         if data.IsA("vtkPointSet"):
             result[port, "points"] = bytes(memoryview(data.GetPoints().GetData()))
