@@ -45,9 +45,11 @@ class Writer:
     def __init__(self, owner, chain, filters):
         self.owner = owner
         self.chain = chain
-        self.choices = words_of_enumerators(owner, chain)
+        self.choices = {name: f"<i>{html.escape(text)}</i>"
+                        for name, text in words_of_enumerators(owner, chain).items()}
+        self.told = {}  # properties by the comment on what sets them
         self.pages = {other.class_name: other for other in filters}
-        self.names_are_arrays = False  # where a word means an array before a property
+        self.section = ""  # the title of the one being written
 
     def link_of_class(self, name):
         """A filter's label and page, or the section of this page that a base class makes."""
@@ -64,9 +66,9 @@ class Writer:
     def code(self, word):
         """What stands in backticks: a property's label, or the word as it is."""
         if word in self.choices:
-            return html.escape(self.choices[word])
+            return self.choices[word]
         target = self.owner.properties.get(word)
-        if target and not self.names_are_arrays:
+        if target and self.section != OUTPUTS:  # where a word means an array before a property
             return f'<a href="#{target.name}">{html.escape(target.label)}</a>'
         text = f"<code>{html.escape(word, quote=False)}</code>"
         return f'<a href="#{target.name}">{text}</a>' if target else text
@@ -80,7 +82,8 @@ class Writer:
             part = re.sub(r"\b[A-Z][A-Z_]+\b",
                           lambda m: self.choices.get(m[0], m[0]), html.escape(part, quote=False))
             part = re.sub(r"\^\(([^)]*)\)|\^(\w)", lambda m: f"<sup>{m[1] or m[2]}</sup>", part)
-            part = part.replace("[Levy12]", f'<a href="#{anchor_of(REFERENCE)}">[Levy12]</a>')
+            if self.section != REFERENCE:
+                part = part.replace("[Levy12]", f'<a href="#{anchor_of(REFERENCE)}">[Levy12]</a>')
             parts[index] = re.sub(r"\bvtk[A-Z]\w+", lambda m: self.link_of_class(m[0]), part)
         return "".join(parts)
 
@@ -155,7 +158,7 @@ def arrays_of(text):
 
 
 def sentences_of(text):
-    return re.split(r"(?<=[.:])\s+(?=[A-Z`\"]|nullptr)", text)
+    return re.split(r"(?<=\.)\s+(?=[A-Z`\"]|nullptr)", text)
 
 
 def words_of(text):
@@ -197,23 +200,32 @@ def words_of_enumerators(owner, chain):
 
 
 def facts_of(target):
-    """Default, values and name in scripts, a line each."""
+    """Default, values, name in scripts and place, a line each."""
     facts = []
     if target.default != "":
         facts.append(f"default {html.escape(target.default, quote=False)}")
     if target.allowed:
         facts.append(html.escape(target.allowed, quote=False))
     facts.append(f"script: <code>{target.script_name}</code>")
-    if target.visibility == "never":
-        facts.append("in scripts only")
+    where = {"advanced": "behind the gear", "never": "in scripts only"}
+    if target.visibility in where:
+        facts.append(where[target.visibility])
     return "<br/>".join(f"<small>{fact}</small>" for fact in facts)
 
 
-def property_row(target, chain, writer):
+def long_text(target, chain, writer):
+    """What the header says beyond the tooltip; of two properties with one comment, once."""
     blocks = list(setters_comment(target, chain))
+    first = writer.told.setdefault(str(blocks), target)
+    if blocks and first is not target:
+        return f'<p>See <a href="#{first.name}">{html.escape(first.label)}</a>.</p>\n'
     if blocks and isinstance(blocks[0], str):
-        blocks = [news_of(blocks[0], target.text)] + blocks[1:]
-    cell = f"<p>{writer.inline(target.text)}</p>\n" + writer.blocks(blocks)
+        blocks[0] = news_of(blocks[0], target.text)
+    return writer.blocks(blocks)
+
+
+def property_row(target, chain, writer):
+    cell = f"<p>{writer.inline(target.text)}</p>\n" + long_text(target, chain, writer)
     return (f'<tr><td><a name="{target.name}"></a><b>{html.escape(target.label)}</b><br/>'
             f"{facts_of(target)}</td>\n<td>{cell}</td></tr>\n")
 
@@ -246,9 +258,9 @@ def page_of(owner, chain, filters):
             title = title or UNTITLED.get(one.name, "")
             if title and title not in sections:
                 raise ValueError(f"{one.name}: the help pages have no section {title!r}")
-            writer.names_are_arrays = title == OUTPUTS
+            writer.section = title
             sections[title] = sections.get(title, "") + writer.blocks(blocks)
-    writer.names_are_arrays = False
+    writer.section = ""
 
     properties = ""
     for title, members in properties_by_group(owner):

@@ -20,7 +20,7 @@ problems = []
 
 SECTIONS = ("What it does", "When to use it", "Properties", "Outputs and arrays",
             "What is guaranteed", "Limits")
-LEFTOVER = re.compile(r"`|@\w|///|/\*|\*/|\bvtk\w*Macro|\bnullptr\b|\[Levy12\](?!</a>)|^\s*\* ",
+LEFTOVER = re.compile(r"`|@\w|///|/\*|\*/|\bvtk\w*Macro|\bnullptr\b|^\s*\* ",
                       re.MULTILINE)
 SETTER = re.compile(r"vtkSet\w*Macro\(\s*(\w+)|void\s+((?:Set|Add|Clear)\w+)\(")
 INPUT_SETTER = re.compile(r"Set(\w+?)(Connection|Data)$")
