@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""make_help.py --headers DIR --xml FILE... --output DIR [--prune DIR]: writes the help pages.
+"""make_help.py --headers DIR --xml FILE... --output DIR: writes the plugin's help pages.
 
 One page a filter of the menu, named as ParaView's "?" button asks for it, `filters.<name>.html`,
-and `index.html`. All text comes from the class comments and setters' comments of the headers and
+`index.html`, and the project for Qt's qhelpgenerator. All text comes from the class comments and setters' comments of the headers and
 from the properties' texts in the XML; see header_comments.py for what a comment may hold.
 """
 import argparse
@@ -14,6 +14,8 @@ from pathlib import Path
 from header_comments import read_chain
 from proxies import read_filters
 
+# The "?" button looks into the folder of each namespace that has the namespace's name up to a dot.
+NAME = "AnisotropicRemeshing"
 # A page's sections after "What it does" and "Properties", by the titles used in the headers.
 USE, OUTPUTS, INPUT = "When to use it", "Outputs and arrays", "Input and embedding"
 GUARANTEES, LIMITS, REFERENCE = "What is guaranteed", "Limits", "Reference"
@@ -286,12 +288,25 @@ def index_of(filters, chains):
     return document(title, f"<h1>{title}</h1>\n" + table("Filter", "What it does", rows))
 
 
+def project_of(filters):
+    """What qhelpgenerator reads: namespace, contents, keywords and files."""
+    pages = [(f"filters.{one.name}.html", html.escape(one.label)) for one in filters]
+    contents = "".join(f'<section title="{label}" ref="{page}"/>\n' for page, label in pages)
+    keywords = "".join(f'<keyword name="{label}" ref="{page}"/>\n' for page, label in pages)
+    files = "".join(f"<file>{page}</file>\n" for page, _ in pages)
+    return (f'<?xml version="1.0" encoding="UTF-8"?>\n<QtHelpProject version="1.0">\n'
+            f"<namespace>{NAME}.org</namespace>\n<virtualFolder>{NAME}</virtualFolder>\n"
+            f'<filterSection>\n<toc><section title="{filters[0].category}" ref="index.html">\n'
+            f"{contents}</section></toc>\n<keywords>\n{keywords}</keywords>\n"
+            f"<files>\n<file>index.html</file>\n{files}</files>\n"
+            f"</filterSection>\n</QtHelpProject>\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--headers", required=True, help="folder of the filters' headers")
     parser.add_argument("--xml", required=True, nargs="+", help="server-manager XML files")
     parser.add_argument("--output", required=True, help="folder to write the pages to")
-    parser.add_argument("--prune", help="folder from which pages of other proxies are removed")
     arguments = parser.parse_args()
 
     filters = read_filters(arguments.xml)
@@ -304,9 +319,7 @@ def main():
         page = page_of(one, chain, filters)
         (output / f"filters.{one.name}.html").write_text(page, encoding="utf-8")
     (output / "index.html").write_text(index_of(filters, chains), encoding="utf-8")
-    for page in Path(arguments.prune).glob("*.html") if arguments.prune else ():
-        if not (output / page.name).is_file():
-            page.unlink()
+    (output / f"{NAME}.qhp").write_text(project_of(filters), encoding="utf-8")
     return 0
 
 

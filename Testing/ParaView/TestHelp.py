@@ -6,7 +6,6 @@ for. The page names every property of the XML and every output and array that th
 no rest of markup, and no link into nothing. Every setter of the headers is the command of a
 property with a text. The icons that the XML names are in the plugin's resources.
 """
-import base64
 import re
 import sqlite3
 import sys
@@ -15,7 +14,7 @@ import zlib
 from pathlib import Path
 
 plugin, build, source = Path(sys.argv[1]), Path(sys.argv[3]), Path(sys.argv[4])
-compiled_help = build / "Plugin" / "paraview_help" / "AnisotropicRemeshing.qch"
+compiled_help = build / "Plugin" / "help" / "AnisotropicRemeshing.qch"
 problems = []
 
 SECTIONS = ("What it does", "When to use it", "Properties", "Outputs and arrays",
@@ -172,8 +171,7 @@ proxies = read_proxies()
 resources = read_resources()
 # The "?" button asks for this folder in each namespace.
 check(folder == namespace.split(".")[0], f"folder {folder} of {namespace} is not asked for")
-encoded = base64.b64encode(compiled_help.read_bytes())
-check(encoded[:200] in library, "the compiled help is not in the plugin")
+check(compiled_help.read_bytes() in library, "the compiled help is not in the plugin")
 
 wanted = {"index.html"}
 for (group, name), proxy in proxies.items():
