@@ -2,8 +2,9 @@
 """make_help.py --headers DIR --xml FILE... --output DIR: writes the plugin's help pages.
 
 One page a filter of the menu, named as ParaView's "?" button asks for it, `filters.<name>.html`,
-`index.html`, and the project for Qt's qhelpgenerator. All text comes from the class comments and setters' comments of the headers and
-from the properties' texts in the XML; see header_comments.py for what a comment may hold.
+`index.html`, and the project for Qt's qhelpgenerator. All text comes from the class comments and
+setters' comments of the headers and from the properties' texts in the XML; see header_comments.py
+for what a comment may hold.
 """
 import argparse
 import html
