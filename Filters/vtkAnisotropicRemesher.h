@@ -2,15 +2,48 @@
  * @class   vtkAnisotropicRemesher
  * @brief   Remeshes a surface with a given number of points, adapted to its curvature.
  *
+ * Makes new triangles for a surface: with as many points as are asked for, long along flat
+ * directions and small where the surface bends, and with edges along its creases and borders.
+ *
  * The surface is embedded in R^d (see vtkEmbeddedSurfaceAlgorithm), sampled with
  * `NumberOfPoints` sites, and the sites are moved by Lloyd's iterations and then by a quasi-Newton
  * method (L-BFGS) towards a centroidal Voronoi tessellation restricted to it ([Levy12],
- * Algorithms 2 to 4 and section 4.2). The dual of the restricted
- * Voronoi diagram is the new mesh: isotropic in R^d, and so in R^3 long along flat directions and
- * dense where the surface bends.
+ * Algorithms 2 to 4 and section 4.2). The dual of the restricted Voronoi diagram is the new mesh:
+ * its triangles are isotropic in R^d, and so anisotropic in R^3.
  *
  * Features of the surface are kept unless `PreserveFeatures` is off: see there.
  *
+ * Input port 0: the surface. Input port 1 (optional): initial sites. Their number replaces
+ * `NumberOfPoints`; their point array `Embedding`, if it has d components, is their place in R^d,
+ * else each is put at the surface's point closest to it.
+ * Output ports: see vtkRestrictedVoronoiAlgorithm.
+ *
+ * @par When to use it:
+ * For a surface with too many triangles, or badly shaped ones: a scan, an isosurface, a part from a
+ * CAD program.
+ * - Few triangles that keep the shape, to look at, send or store: leave `Anisotropy` at its default
+ *   and set `NumberOfPoints`. Along flat directions one long triangle stands for many even ones.
+ * - A mesh that is never farther from the surface than a length: set `DistanceTolerance`.
+ * - Triangles of equal size, near to equilateral, for a simulation: set `Anisotropy` to 0.
+ * - Triangles that follow data, too: give a density (`DensityArray`) or `CoordinateArrays`.
+ *
+ * To cut a surface into the Voronoi cells of points that stay where they are, take
+ * vtkRestrictedVoronoiDiagram. To see how good a mesh is, take vtkSurfaceMeshComparison.
+ *
+ * @par What is guaranteed:
+ * - With `PreserveFeatures` the mesh has the number of points that was asked for, a few more where
+ *   its topology needs them (`MaximumNumberOfExtraPoints`), or a warning says why not.
+ * - Borders, corners and creases of the surface are then edges and points of the mesh, but for
+ *   those that `PreserveFeatures` names as too small.
+ * - With `DistanceTolerance`, no point of either surface is farther from the other than that, or a
+ *   warning says so.
+ * - The field array `TopologyPreserved` is 1 only where the topology of the surface is proven to be
+ *   kept.
+ * - Triangles that face the wrong way are counted in the field data of `Surface`
+ *   (`NumberOfFlippedTriangles`, `NumberOfStrayTriangles`), and a warning tells of them.
+ * - Same input, parameters and seed give the same output: see vtkRestrictedVoronoiAlgorithm.
+ *
+ * @par Limits:
  * Where the mesh is not proven to have the topology of the surface (see `TopologyPreserved`), as on
  * thin parts and at tips, sites are added, and those that matter least are taken away, until it is
  * or nothing helps any more; then the mesh may have more points (`MaximumNumberOfExtraPoints`). If
@@ -22,11 +55,6 @@
  * There is a warning, too, where the RMS distance is above a tenth of the points' mean spacing,
  * unless `MeasureDistance` is off, a tolerance is set, or initial sites are given: the mesh then
  * misses parts of the surface, whatever else holds of it.
- *
- * Input port 0: the surface. Input port 1 (optional): initial sites. Their number replaces
- * `NumberOfPoints`; their point array `Embedding`, if it has d components, is their place in R^d,
- * else each is put at the surface's point closest to it.
- * Output ports: see vtkRestrictedVoronoiAlgorithm.
  *
  * Empty input gives empty outputs, whatever arrays are chosen, and so, with a warning, does one
  * whose polygons have no area.

@@ -1,7 +1,11 @@
 /**
  * @class   vtkGaussMapEmbedding
- * @brief   Adds the embedding of a surface in R^d as the point array `Embedding`.
+ * @brief   Adds the remesher's embedding of a surface as the point array `Embedding`.
  *
+ * Shows the space in which vtkAnisotropicRemesher measures: each point's position, its normal times
+ * the anisotropy, and what else is part of the embedding (see vtkEmbeddedSurfaceAlgorithm).
+ *
+ * @par Outputs and arrays:
  * Output: the input, geometry and arrays untouched, with one more point array `Embedding`
  * (double, d components, one tuple per input point): what vtkAnisotropicRemesher with the same
  * parameters works on (with the `NormalSmoothingRadius` that its field data tells) where no
@@ -14,6 +18,16 @@
  * drops) have zeros after their position. Give the output to vtkAnisotropicRemesher with
  * `SetEmbeddingArray("Embedding")`, or change the array first to make an embedding of your own.
  *
+ * @par When to use it:
+ * - To see what vtkAnisotropicRemesher works on: the first three components are the position, the
+ *   next three the scaled normal. Where the normal changes fast, triangles become small or long.
+ * - To remesh in a space of your own: change `Embedding`, as with a calculator, and choose it there
+ *   as `EmbeddingArray`.
+ *
+ * @par What is guaranteed:
+ * Points, cells and arrays of the input are passed on as they are; one array is added.
+ *
+ * @par Limits:
  * Unusable input is an error, as for vtkAnisotropicRemesher, and the output is empty.
  */
 #ifndef vtkGaussMapEmbedding_h

@@ -1,14 +1,25 @@
 /**
  * @class   vtkSurfaceMeshComparison
- * @brief   How good a surface mesh is, alone and against the surface that it stands for.
+ * @brief   Measures how good a surface mesh is, alone and against a reference surface.
+ *
+ * Of a mesh alone: how well shaped its triangles are, its borders, components and faults. Against a
+ * reference, as the surface that the mesh was made from: how far both are from each other, both
+ * ways, and how their normals differ.
  *
  * Input port 0: the mesh to judge; port 1, optional: the reference surface. Both are any
  * vtkPolyData with polygons or triangle strips, which are cut into triangles as
- * vtkEmbeddedSurfaceAlgorithm does. Nothing is merged, dropped or turned round: the mesh is judged
+ * vtkAnisotropicRemesher does. Nothing is merged, dropped or turned round: the mesh is judged
  * as it is. Vertices, lines and ghost cells are ignored, points that no triangle uses take no part
  * in the surfaces.
  *
- * Output ports:
+ * @par When to use it:
+ * - To see how far a mesh is from the surface it was made from, and where: colour `Mesh` by
+ *   `Distance`.
+ * - To judge a mesh alone, before a simulation: smallest angles, non-manifold edges, duplicate
+ *   points, orientation.
+ * - To compare several meshes of one surface by the numbers of `Summary`.
+ *
+ * @par Outputs and arrays:
  * - 0 `Mesh`: the mesh with all its arrays but those named like the filter's own (other cells than
  *   triangles replaced by triangles, with their cell arrays; then without cell arrays that have not
  *   one tuple for each cell and, where cells are cut, without global ids).
@@ -44,14 +55,18 @@
  *   and, with a reference, `NormalDeviation` (0 to 180) are the middles of the bins,
  *   `QualityTriangles`, `MinimumAngleTriangles` and `NormalDeviationTriangles` the counts.
  *
+ * @par What is guaranteed:
+ * The output does not depend on the threads or the back-end.
+ *
  * Distances are between all points of the surfaces, not between vertices: means are integrals over
  * the area, by quadrature, or on triangles with fewer than six places by their mean, at about
- * NumberOfSamples fixed places on each surface. `MaximumDistance`
+ * `NumberOfSamples` fixed places on each surface. `MaximumDistance`
  * is the largest distance found, so the true (Hausdorff) distance is not less; it is not more than
  * `MaximumDistanceBound` (but for rounding). The bound is refined until it is at most 1 % above the
  * maximum or a millionth of the diagonal; on surfaces that are very close to each other for their
  * sampling, the effort may not suffice and the bound is larger.
  *
+ * @par Limits:
  * `SignedDistance` is absent where the other surface is not consistently oriented (after points
  * with equal coordinates were merged). On a closed surface the sign tells inside from outside; near
  * a border, the side that the closest place faces.
@@ -62,10 +77,10 @@
  * Both surfaces must be whole: where they are distributed over processes, a warning tells so.
  *
  * An input that cannot be used is an error; an empty mesh gives empty outputs; an empty reference
- * is as none, with a warning. The output does not depend on the threads or the back-end.
+ * is as none, with a warning.
  *
  * Cost: a search, logarithmic in the number of triangles, for each sample, point and triangle, and
- * for at most 5 NumberOfSamples parts of triangles for the bound, each way.
+ * for at most 5 `NumberOfSamples` parts of triangles for the bound, each way.
  */
 #ifndef vtkSurfaceMeshComparison_h
 #define vtkSurfaceMeshComparison_h
