@@ -41,8 +41,8 @@ pqOutputViewWidget::pqOutputViewWidget(
   this->connect(this->Button, SIGNAL(clicked()), SLOT(showOutput()));
   if (pqOutputPort* shown = this->port())
   {
-    this->connect(shown->getSource(), SIGNAL(modifiedStateChanged(pqServerManagerModelItem*)),
-      SLOT(enable()));
+    this->connect(
+      shown->getSource(), SIGNAL(modifiedStateChanged(pqServerManagerModelItem*)), SLOT(enable()));
   }
   this->enable();
 }
@@ -62,8 +62,7 @@ pqOutputPort* pqOutputViewWidget::port() const
 void pqOutputViewWidget::enable()
 {
   pqOutputPort* shown = this->port();
-  this->Button->setEnabled(
-    shown && shown->getSource()->modifiedState() != pqProxy::UNINITIALIZED);
+  this->Button->setEnabled(shown && shown->getSource()->modifiedState() != pqProxy::UNINITIALIZED);
 }
 
 //------------------------------------------------------------------------------
@@ -98,8 +97,7 @@ void pqOutputViewWidget::showOutput()
       QString::fromStdString(this->ViewType), shown->getServer());
     controller->AssignViewToLayout(target->getViewProxy(), layout, location);
   }
-  controller->Show(
-    shown->getSourceProxy(), shown->getPortNumber(), target->getViewProxy());
+  controller->Show(shown->getSourceProxy(), shown->getPortNumber(), target->getViewProxy());
   END_UNDO_SET();
   target->resetDisplay();
   target->render();
