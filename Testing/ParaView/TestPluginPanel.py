@@ -130,6 +130,15 @@ late = AnisotropicRemesher(Input=reader, **QUICK)
 assert list(late.Normals) == ["POINTS", "Automatic"], list(late.Normals)
 assert mesh(late) == with_normals
 
+# The number of points is animated.
+track = GetAnimationTrack("NumberOfPoints", proxy=remesher)
+track.KeyFrames = [CompositeKeyFrame(KeyTime=0, KeyValues=[80]),
+                   CompositeKeyFrame(KeyTime=1, KeyValues=[120])]
+for go, count in ((GetAnimationScene().GoToLast, 120), (GetAnimationScene().GoToFirst, 80)):
+    go()
+    assert remesher.NumberOfPoints == count, remesher.NumberOfPoints
+    assert servermanager.Fetch(remesher).GetNumberOfPoints() == count
+
 # A loop with Show, as scripts have it: each pass makes the last one's output active.
 view = CreateRenderView()
 SetActiveSource(given)
