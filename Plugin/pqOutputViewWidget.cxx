@@ -12,11 +12,14 @@
 #include "vtkPVXMLElement.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
+
+#include <utility>
 
 //------------------------------------------------------------------------------
 pqOutputViewWidget::pqOutputViewWidget(
@@ -31,6 +34,8 @@ pqOutputViewWidget::pqOutputViewWidget(
   {
     hint->GetScalarAttribute("port", &this->Port);
     this->ViewType = hint->GetAttributeOrEmpty("view");
+    this->BottomTitle = hint->GetAttributeOrEmpty("bottom");
+    this->LeftTitle = hint->GetAttributeOrEmpty("left");
   }
   this->Button->setObjectName("Button");
   this->Button->setToolTip(pqPropertyWidget::getTooltip(smproperty));
@@ -41,8 +46,8 @@ pqOutputViewWidget::pqOutputViewWidget(
   this->connect(this->Button, SIGNAL(clicked()), SLOT(showOutput()));
   if (pqOutputPort* shown = this->port())
   {
-    this->connect(shown->getSource(), SIGNAL(modifiedStateChanged(pqServerManagerModelItem*)),
-      SLOT(enable()));
+    this->connect(
+      shown->getSource(), SIGNAL(modifiedStateChanged(pqServerManagerModelItem*)), SLOT(enable()));
   }
   this->enable();
 }
@@ -62,8 +67,7 @@ pqOutputPort* pqOutputViewWidget::port() const
 void pqOutputViewWidget::enable()
 {
   pqOutputPort* shown = this->port();
-  this->Button->setEnabled(
-    shown && shown->getSource()->modifiedState() != pqProxy::UNINITIALIZED);
+  this->Button->setEnabled(shown && shown->getSource()->modifiedState() != pqProxy::UNINITIALIZED);
 }
 
 //------------------------------------------------------------------------------
@@ -81,25 +85,40 @@ pqView* pqOutputViewWidget::existingView() const
 }
 
 //------------------------------------------------------------------------------
+pqView* pqOutputViewWidget::createView() const
+{
+  auto& active = pqActiveObjects::instance();
+  auto layout = active.activeLayout();
+  const int location = active.activeLayoutLocation();
+  pqView* created = pqApplicationCore::instance()->getObjectBuilder()->createView(
+    QString::fromStdString(this->ViewType), this->port()->getServer());
+  vtkSMViewProxy* viewProxy = created->getViewProxy();
+  for (const auto& [name, title] :
+    { std::pair{ "BottomAxisTitle", this->BottomTitle }, { "LeftAxisTitle", this->LeftTitle } })
+  {
+    vtkSMPropertyHelper(viewProxy, name, /*quiet=*/true).Set(title.c_str());
+  }
+  viewProxy->UpdateVTKObjects();
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  controller->AssignViewToLayout(viewProxy, layout, location);
+  return created;
+}
+
+//------------------------------------------------------------------------------
 void pqOutputViewWidget::showOutput()
 {
   auto& active = pqActiveObjects::instance();
   pqView* before = active.activeView();
   pqOutputPort* shown = this->port();
-  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
 
   BEGIN_UNDO_SET(this->Button->text());
   pqView* target = this->existingView();
   if (!target)
   {
-    auto layout = active.activeLayout();
-    const int location = active.activeLayoutLocation();
-    target = pqApplicationCore::instance()->getObjectBuilder()->createView(
-      QString::fromStdString(this->ViewType), shown->getServer());
-    controller->AssignViewToLayout(target->getViewProxy(), layout, location);
+    target = this->createView();
   }
-  controller->Show(
-    shown->getSourceProxy(), shown->getPortNumber(), target->getViewProxy());
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  controller->Show(shown->getSourceProxy(), shown->getPortNumber(), target->getViewProxy());
   END_UNDO_SET();
   target->resetDisplay();
   target->render();

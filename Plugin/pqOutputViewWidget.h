@@ -3,7 +3,8 @@
  * @brief   A button of the panel that shows a table of the filter beside the active view.
  *
  * ParaView offers no eye for a table while a render view is active. The property's hint
- * `<OutputView port="3" view="XYChartView" />` tells what to show where; its label is the button's.
+ * `<OutputView port="3" view="XYChartView" bottom="Iteration" left="Energy" />` tells what to show
+ * where, and the titles of a chart's axes, if any; its label is the button's.
  * A view that shows the table already is used again. The active view stays active.
  */
 #ifndef pqOutputViewWidget_h
@@ -37,10 +38,14 @@ private:
   pqOutputPort* port() const;
   /** The view of the hint's kind that has the output, or nullptr. */
   pqView* existingView() const;
+  /** A new one, which splits the active view's place. */
+  pqView* createView() const;
 
   QPushButton* Button;
   int Port = 0;
   std::string ViewType;
+  std::string BottomTitle;
+  std::string LeftTitle;
 };
 
 #endif

@@ -79,8 +79,7 @@ void pqRemeshingSizeWidget::addDistanceTolerance(QGridLayout* grid)
   this->addPropertyLink(this->Unit, "currentIndex", SIGNAL(currentIndexChanged(int)),
     this->propertyGroup()->GetProperty("DistanceToleranceIsAbsolute"));
   this->connect(this->ChooseTolerance, SIGNAL(toggled(bool)), SLOT(showChosen()));
-  this->connect(
-    this->ChooseTolerance, SIGNAL(toggled(bool)), SIGNAL(distanceToleranceChanged()));
+  this->connect(this->ChooseTolerance, SIGNAL(toggled(bool)), SIGNAL(distanceToleranceChanged()));
   this->connect(this->ChooseTolerance, SIGNAL(toggled(bool)), SIGNAL(changeFinished()));
   this->connect(
     this->Tolerance, SIGNAL(textChanged(const QString&)), SIGNAL(distanceToleranceChanged()));

@@ -7,7 +7,8 @@
 
 /**
  * Adds defaults below the user's own to ParaView's settings: a palette that parts neighbouring
- * cells for `CellColor`, named colours for `EdgeType`, flat triangles for meshes, thick lines for the port Edges.
+ * cells for `CellColor`, named colours for `EdgeType`, flat triangles for meshes, thick lines for
+ * the port Edges.
  */
 void addRemeshingAppearance();
 
