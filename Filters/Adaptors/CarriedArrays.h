@@ -61,13 +61,13 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
  * (the active normals are then made unit vectors again), and so are colours, unsigned char arrays
  * of 3 or 4 components, to the nearest whole number. All others (integers, ids, bits, strings) may
  * be labels: they take the value of the corner with the largest weight, of equal ones that of the
- * lowest id. O(vertices x components), in parallel.
+ * first along the surface's Hilbert curve. O(vertices x components), in parallel.
  */
 void carryPointArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost);
 
 /**
  * Cell arrays: each triangle takes the value that covers most of it (TriangleCover), where cells of
- * equal values count together; of equal shares, that of the lowest cell id. Values are never mixed,
+ * equal values count together; of equal shares, the lowest value. Values are never mixed,
  * so that labels stay labels. O(vertices of the pieces), in parallel, and only where the values
  * around a triangle differ.
  */

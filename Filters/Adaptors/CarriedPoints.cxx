@@ -25,11 +25,12 @@ struct Corners
     , weights(source.result.locations[vertex].b)
     , nearest(0)
   {
+    const Triple& ranks = source.prepared.mesh.facetPoints[source.result.locations[vertex].facet];
     for (const int k : { 1, 2 })
     {
       const bool equal = this->weights[k] == this->weights[this->nearest];
       if (this->weights[k] > this->weights[this->nearest] ||
-        (equal && this->points[k] < this->points[this->nearest]))
+        (equal && ranks[k] < ranks[this->nearest]))
       {
         this->nearest = k;
       }
