@@ -41,8 +41,8 @@ void vtkAnisotropicRemesher::SetFeatureLabelArray(const char* name)
   this->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
 }
 
-int vtkAnisotropicRemesher::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkAnisotropicRemesher::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Internals->LastRun = {}; // an error does not leave facts of an earlier run
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);

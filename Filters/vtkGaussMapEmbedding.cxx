@@ -45,8 +45,8 @@ void addEmbedding(const remesh::PreparedSurface& prepared, bool positionFirst, v
 }
 }
 
-int vtkGaussMapEmbedding::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkGaussMapEmbedding::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);

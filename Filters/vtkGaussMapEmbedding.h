@@ -43,7 +43,7 @@ protected:
   vtkGaussMapEmbedding();
   ~vtkGaussMapEmbedding() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkGaussMapEmbedding(const vtkGaussMapEmbedding&) = delete;

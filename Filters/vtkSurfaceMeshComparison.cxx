@@ -115,8 +115,8 @@ int vtkSurfaceMeshComparison::FillOutputPortInformation(int port, vtkInformation
   return 1;
 }
 
-int vtkSurfaceMeshComparison::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkSurfaceMeshComparison::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
