@@ -44,7 +44,6 @@ void vtkAnisotropicRemesher::SetFeatureLabelArray(const char* name)
 int vtkAnisotropicRemesher::RequestWhole(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->LastRun = {}; // an error does not leave facts of an earlier run
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
   const bool isTolerance = this->DistanceTolerance > 0.0 && !initialSites;
   const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints()

@@ -170,7 +170,7 @@ protected:
   vtkEmbeddedSurfaceAlgorithm();
   ~vtkEmbeddedSurfaceAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ForgetLastRun() override;
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -43,6 +43,7 @@ protected:
   vtkGaussMapEmbedding();
   ~vtkGaussMapEmbedding() override;
 
+  bool PassesInput(int outputPort) const override;
   int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -161,6 +161,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int GetStructurePort(int outputPort) const override;
+  bool PassesInput(int outputPort) const override;
   int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:

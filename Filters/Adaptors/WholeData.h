@@ -5,10 +5,9 @@
 #ifndef remesh_WholeData_h
 #define remesh_WholeData_h
 
-#include "Support/Status.h"
+#include "Adaptors/SurfaceBlocks.h"
 
 #include "vtkDataObject.h"
-#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -20,7 +19,9 @@ struct WholeData
 {
   /** What is at each input port; nullptr: nothing. vtkPolyData, or vtkPointSet for sites. */
   std::vector<vtkSmartPointer<vtkDataObject>> inputs;
-  /** What is made for each output port: vtkPolyData or vtkTable, empty at first. */
+  /** Of each input port: the blocks of composite data, which the arrays of BlockNames.h number. */
+  std::vector<std::vector<SurfaceBlock>> blocks;
+  /** What is made for each output port, in place: vtkPolyData or vtkTable, empty at first. */
   std::vector<vtkSmartPointer<vtkDataObject>> outputs;
   /** Whether this process does the work. */
   bool worksHere = true;
