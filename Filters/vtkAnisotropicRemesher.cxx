@@ -41,10 +41,9 @@ void vtkAnisotropicRemesher::SetFeatureLabelArray(const char* name)
   this->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
 }
 
-int vtkAnisotropicRemesher::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkAnisotropicRemesher::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->LastRun = {}; // an error does not leave facts of an earlier run
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
   const bool isTolerance = this->DistanceTolerance > 0.0 && !initialSites;
   const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints()

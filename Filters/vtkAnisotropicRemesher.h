@@ -244,7 +244,7 @@ protected:
   ~vtkAnisotropicRemesher() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkAnisotropicRemesher(const vtkAnisotropicRemesher&) = delete;

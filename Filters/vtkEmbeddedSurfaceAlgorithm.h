@@ -31,15 +31,15 @@
 #define vtkEmbeddedSurfaceAlgorithm_h
 
 #include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkEmbeddedSurfaceAlgorithm
-  : public vtkPolyDataAlgorithm
+  : public vtkWholeSurfaceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkEmbeddedSurfaceAlgorithm, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkEmbeddedSurfaceAlgorithm, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum EmbeddingModes
@@ -170,7 +170,7 @@ protected:
   vtkEmbeddedSurfaceAlgorithm();
   ~vtkEmbeddedSurfaceAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ForgetLastRun() override;
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

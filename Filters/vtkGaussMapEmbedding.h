@@ -43,7 +43,8 @@ protected:
   vtkGaussMapEmbedding();
   ~vtkGaussMapEmbedding() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool PassesInput(int outputPort) const override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkGaussMapEmbedding(const vtkGaussMapEmbedding&) = delete;

@@ -208,8 +208,8 @@ protected:
   vtkRestrictedVoronoiAlgorithm();
   ~vtkRestrictedVoronoiAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool TakesPoints(int inputPort) const override;
 
   /**
    * The whole of a diagram filter's RequestData: prepares the surface of input port 0, runs the

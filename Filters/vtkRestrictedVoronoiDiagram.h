@@ -32,7 +32,7 @@ protected:
   vtkRestrictedVoronoiDiagram();
   ~vtkRestrictedVoronoiDiagram() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkRestrictedVoronoiDiagram(const vtkRestrictedVoronoiDiagram&) = delete;

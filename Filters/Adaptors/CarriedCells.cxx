@@ -60,20 +60,20 @@ vtkIdType chooseCell(
 class CellChooser
 {
 public:
-  CellChooser(const DiagramSource& source, vtkPolyData* mesh, const std::vector<CellOrder>& orders)
+  CellChooser(const DiagramSource& source, const std::vector<CellOrder>& orders)
     : Source(source)
-    , Corners(vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData())->GetPointer(0))
     , Orders(orders)
     , Cover{ source.prepared.mesh, source.result.components,
       { source.surface(), source.result.sites, source.result.diagram } }
   {
   }
 
-  /** Calls `choose(array, cell)` for each array. */
+  /** Calls `choose(array, cell)` for each array; with a block, only its cells count. */
   template <class Choose>
-  void Run(const Triple& triangle, const Choose& choose)
+  void Run(const Triple& triangle, const int* block, const Choose& choose)
   {
     this->FindCells(triangle);
+    this->KeepBlock(block, this->Cells, [](vtkIdType cell) { return cell; });
     bool measured = false;
     for (std::size_t array = 0; array < this->Orders.size(); ++array)
     {
@@ -84,6 +84,7 @@ public:
       if (!isUniform && !measured)
       {
         this->Measure(triangle);
+        this->KeepBlock(block, this->Shares, [](const CellShare& share) { return share.cell; });
         measured = true;
       }
       choose(array, isUniform ? first : chooseCell(this->Shares, order, this->Scratch));
@@ -108,12 +109,24 @@ private:
     this->Cells.erase(std::unique(this->Cells.begin(), this->Cells.end()), this->Cells.end());
   }
 
+  template <class Items, class CellOfItem>
+  void KeepBlock(const int* block, Items& items, const CellOfItem& cellOf) const
+  {
+    if (block)
+    {
+      items.erase(
+        std::remove_if(items.begin(), items.end(),
+          [&](const auto& item) { return this->Source.cellBlocks[cellOf(item)] != *block; }),
+        items.end());
+    }
+  }
+
   void Measure(const Triple& triangle)
   {
     std::array<Point3, 3> corners;
     for (int k = 0; k < 3; ++k)
     {
-      corners[k] = Point3::Map(this->Corners + 3 * static_cast<std::size_t>(triangle[k]));
+      corners[k] = this->Source.result.placement.positions[triangle[k]];
     }
     this->Cover.measure(triangle, corners, this->Parts);
     this->Shares.clear();
@@ -124,7 +137,6 @@ private:
   }
 
   const DiagramSource& Source;
-  const double* Corners;
   const std::vector<CellOrder>& Orders;
   TriangleCover Cover;
   std::vector<vtkIdType> Cells;
@@ -134,7 +146,8 @@ private:
 };
 }
 
-void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost)
+void carryCellArrays(const DiagramSource& source, const std::vector<int>& blocks,
+  vtkPolyData* output, LostArrays& lost)
 {
   const std::vector<Triple>& triangles = source.result.dual.triangles;
   const auto count = static_cast<Offset>(triangles.size());
@@ -156,16 +169,37 @@ void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArray
   const bool done = forEachRange(Blocks::cut(count, 256, 4096), source.control,
     [&](Offset begin, Offset end)
     {
-      CellChooser chooser(source, output, orders);
+      CellChooser chooser(source, orders);
       for (Offset t = begin; t < end; ++t)
       {
-        chooser.Run(
-          triangles[t], [&](std::size_t array, vtkIdType cell) { chosen[array][t] = cell; });
+        chooser.Run(triangles[t], blocks.empty() ? nullptr : &blocks[t],
+          [&](std::size_t array, vtkIdType cell) { chosen[array][t] = cell; });
       }
     });
   for (std::size_t k = 0; done && k < arrays.size(); ++k)
   {
     arrays[k].source->GetTuples(cells[k], arrays[k].target);
   }
+}
+
+std::vector<int> findTriangleBlocks(const DiagramSource& source)
+{
+  const std::vector<Triple>& triangles = source.result.dual.triangles;
+  const int* cellBlocks = source.cellBlocks;
+  const std::vector<CellOrder> orders{ [cellBlocks](vtkIdType a, vtkIdType b)
+    { return cellBlocks[a] - cellBlocks[b]; } };
+  std::vector<int> blocks(triangles.size(), 0);
+  static_cast<void>(
+    forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 256, 4096), source.control,
+      [&](Offset begin, Offset end)
+      {
+        CellChooser chooser(source, orders);
+        for (Offset t = begin; t < end; ++t)
+        {
+          chooser.Run(triangles[t], nullptr,
+            [&](std::size_t, vtkIdType cell) { blocks[t] = cellBlocks[cell]; });
+        }
+      }));
+  return blocks;
 }
 }
