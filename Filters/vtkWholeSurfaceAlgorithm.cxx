@@ -4,6 +4,7 @@
 #include "Adaptors/CarriedArrays.h"
 #include "Adaptors/ChosenArrays.h"
 #include "Adaptors/OutputPorts.h"
+#include "Adaptors/SurfaceGathering.h"
 #include "Adaptors/WholeData.h"
 
 #include "vtkCellData.h"
@@ -305,21 +306,38 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->ForgetLastRun();
-  vtkWhole whole{ this, inputVector, outputVector, {} };
-  remesh::Status status = whole.TakeInputs();
-  whole.MakeOutputs();
-  status = remesh::gatherInputs(this, status, whole.Data);
-  int done = status.ok() ? 1 : 0;
-  WholePorts ports(whole.Data, inputVector, this->GetNumberOfInputPorts(), outputVector);
-  if (!status.ok())
+  const int ports = this->GetNumberOfInputPorts();
+  std::vector<bool> takesPoints;
+  for (int port = 0; port < ports; ++port)
   {
-    vtkErrorMacro(<< status.message);
+    takesPoints.push_back(this->TakesPoints(port));
   }
-  else if (whole.Data.worksHere)
+  remesh::SurfaceGathering gathering(inputVector, ports);
+  gathering.gather(takesPoints);
+  vtkWhole whole{ this, gathering.inputs(), outputVector, {} };
+  whole.MakeOutputs();
+  int done = 1;
+  if (gathering.worksHere())
+  {
+    done = this->WorkOnWhole(whole);
+  }
+  return gathering.finish(done, outputVector, this->DistributeOutputs);
+}
+
+int vtkWholeSurfaceAlgorithm::WorkOnWhole(vtkWhole& whole)
+{
+  const remesh::Status status = whole.TakeInputs();
+  WholePorts ports(
+    whole.Data, whole.InputVector, this->GetNumberOfInputPorts(), whole.OutputVector);
+  int done = 0;
+  if (status.ok())
   {
     done = this->RequestWhole(ports.inputs(), ports.outputs());
   }
-  done = remesh::spreadOutputs(this, done, whole.Data);
+  else
+  {
+    vtkErrorMacro(<< status.message);
+  }
   if (!done)
   {
     remesh::emptyPorts(ports.outputs());
@@ -331,4 +349,5 @@ int vtkWholeSurfaceAlgorithm::RequestData(
 void vtkWholeSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "DistributeOutputs: " << this->DistributeOutputs << "\n";
 }

@@ -31,6 +31,16 @@
  *   the field data of each block and of the composite data set.
  *
  * Sites, too, may be composite, of any vtkPointSet: they are numbered block by block.
+ *
+ * Several processes, as of ParaView's servers and batch programs, share a surface if each is asked
+ * for one piece of it: through vtkMultiProcessController::GetGlobalController() the pieces come to
+ * the first process, which does the work on all threads that it has. So the first process takes the
+ * memory of the whole surface and the whole work, and one copy of the largest piece; the others
+ * sleep. The result is that of one process, whatever the number of processes:
+ * - ghost cells count once, and points that pieces share are one;
+ * - cells have the ids of the pieces appended in the order of the processes, without ghost cells;
+ *   only these ids (`InputCellId`), and the order of what is passed from the input, are other ones;
+ * - an error or warning is told on the first process alone, and the execution fails on all.
  */
 #ifndef vtkWholeSurfaceAlgorithm_h
 #define vtkWholeSurfaceAlgorithm_h
@@ -43,6 +53,18 @@ class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkWholeSurfaceAlgorithm : public vt
 public:
   vtkTypeMacro(vtkWholeSurfaceAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Where several processes share the work (see above): whether the outputs are spread over them,
+   * or stay on the first, and are empty on the others. Spread, each process has a range of the
+   * cells; appended in the order of the processes they are those of one process, in the same order.
+   * Points at the cuts are in both parts. Tables stay on the first. Default: off.
+   */
+  vtkSetMacro(DistributeOutputs, bool);
+  vtkGetMacro(DistributeOutputs, bool);
+  vtkBooleanMacro(DistributeOutputs, bool);
+  ///@}
 
   vtkTypeBool ProcessRequest(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -84,6 +106,9 @@ private:
   void operator=(const vtkWholeSurfaceAlgorithm&) = delete;
 
   struct vtkWhole;
+  int WorkOnWhole(vtkWhole& whole);
+
+  bool DistributeOutputs = false;
 };
 
 #endif

@@ -25,7 +25,7 @@ struct Corners
     , weights(place.b)
     , nearest(0)
   {
-    const Triple& ranks = source.prepared.mesh.facetPoints[source.result.locations[vertex].facet];
+    const Triple& ranks = source.prepared.mesh.facetPoints[place.facet];
     for (const int k : { 1, 2 })
     {
       const bool equal = this->weights[k] == this->weights[this->nearest];

@@ -63,8 +63,7 @@ bool isFinite(vtkDataArray* array, Offset point)
  * The mean of the distinct tuples at some input points: neither their order counts, nor how many of
  * them have a value, as where a surface was parted and has points twice.
  */
-std::vector<double> meanOfDistinct(
-  vtkDataArray* array, InputsOfCorner first, InputsOfCorner end)
+std::vector<double> meanOfDistinct(vtkDataArray* array, InputsOfCorner first, InputsOfCorner end)
 {
   const auto size = static_cast<std::size_t>(array->GetNumberOfComponents());
   std::vector<double> mean(size);

@@ -11,8 +11,6 @@
 
 #include <vector>
 
-class vtkAlgorithm;
-
 namespace remesh
 {
 struct WholeData
@@ -23,26 +21,7 @@ struct WholeData
   std::vector<std::vector<SurfaceBlock>> blocks;
   /** What is made for each output port, in place: vtkPolyData or vtkTable, empty at first. */
   std::vector<vtkSmartPointer<vtkDataObject>> outputs;
-  /** Whether this process does the work. */
-  bool worksHere = true;
 };
-
-/**
- * The place where the pieces of all processes come together: called after this process's inputs
- * became plain data, and before the work.
- *
- * @param status of this process's inputs; an error on one process is to be one on all.
- */
-Status gatherInputs(vtkAlgorithm* filter, const Status& status, WholeData& data);
-
-/**
- * The place where the result goes to the processes: called on all of them after the work, and
- * before the outputs are split.
- *
- * @param done what RequestData is to return, known where the work was done. @return the same on
- * all.
- */
-int spreadOutputs(vtkAlgorithm* filter, int done, WholeData& data);
 }
 
 #endif

@@ -144,8 +144,8 @@ std::vector<Case> makeCases()
   std::vector<Case> cases = { { "sphere", polyDataOf(icosphere(3)), nullptr },
     { "boxes at an edge", boxes(false), nullptr }, { "boxes at a corner", boxes(true), nullptr },
     { "plate", bumpyPlate(20, 0.1, 7.0), nullptr }, { "quads", quads(12), nullptr },
-    { "three sheets", polyDataOf(threeSheets()), nullptr },
-    { "flap", polyDataOf(folded), nullptr }, { "strip", polyDataOf(moebiusStrip(30)), nullptr },
+    { "three sheets", polyDataOf(threeSheets()), nullptr }, { "flap", polyDataOf(folded), nullptr },
+    { "strip", polyDataOf(moebiusStrip(30)), nullptr },
     { "repeated triangles", polyDataOf(repeated), nullptr },
     { "labels", polyDataOf(icosphere(3)), "Labels" } };
   for (Case& each : cases)

@@ -40,8 +40,7 @@ void markRun(Entries first, Entries end, std::vector<unsigned char>& duplicate)
   const auto isLikeFirst = [turned = first->isTurned](const BucketEntry& entry)
   { return entry.isTurned == turned; };
   const bool keepsFirst = 2 * std::count_if(first, end, isLikeFirst) >= end - first;
-  const Index kept =
-    keepsFirst ? first->facet : std::find_if_not(first, end, isLikeFirst)->facet;
+  const Index kept = keepsFirst ? first->facet : std::find_if_not(first, end, isLikeFirst)->facet;
   for (; first != end; ++first)
   {
     duplicate[first->facet] = first->facet != kept;

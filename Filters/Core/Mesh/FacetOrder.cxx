@@ -39,8 +39,7 @@ bool comesBefore(const TriangleSoup& soup, const Draft& draft, Index a, Index b)
 
 /** `values[k]` becomes what `values[order[k]]` was. */
 template <class Value>
-bool gather(
-  const std::vector<Index>& order, const RunControl& control, std::vector<Value>& values)
+bool gather(const std::vector<Index>& order, const RunControl& control, std::vector<Value>& values)
 {
   std::vector<Value> moved(order.size());
   const bool done = forEachItem(static_cast<Offset>(order.size()), control.silent(),

@@ -178,12 +178,12 @@ Status dropBadFacets(
   std::vector<unsigned char> marked(draft.facets.size(), 0);
   if (!turnAndOrder(soup, control, draft, marked) ||
     !forEachItem(count, control.silent(),
-        [&](Offset f)
-        {
-          const auto& [a, b, c] = draft.facets[f];
-          marked[f] = a == b || b == c || c == a ||
-            !hasArea(draft.points[a], draft.points[b], draft.points[c]);
-        }))
+      [&](Offset f)
+      {
+        const auto& [a, b, c] = draft.facets[f];
+        marked[f] =
+          a == b || b == c || c == a || !hasArea(draft.points[a], draft.points[b], draft.points[c]);
+      }))
   {
     return Status::cancelled();
   }

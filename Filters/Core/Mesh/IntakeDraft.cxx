@@ -199,8 +199,8 @@ private:
       double longest = 0.0;
       for (int k = 0; k < 3; ++k)
       {
-        longest = std::max(
-          longest, (m_draft.points[facet[k]] - m_draft.points[facet[(k + 1) % 3]]).norm());
+        longest =
+          std::max(longest, (m_draft.points[facet[k]] - m_draft.points[facet[(k + 1) % 3]]).norm());
       }
       const auto values = m_draft.points[corner].array().abs();
       if ((values < m_least && values >= 1e-6 * longest && values > 0.0).any())

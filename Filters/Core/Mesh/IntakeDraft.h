@@ -14,10 +14,10 @@ namespace remesh
 /** The surface between soup and mesh. */
 struct Draft
 {
-  std::vector<Offset> inputPoints;   ///< U, the caller's ids of the used points, ascending
-  std::vector<Point3> points;        ///< U
-  std::vector<Triple> facets;        ///< F x 3, into `points`
-  std::vector<Index> facetTriangles; ///< F, into the soup's triangles
+  std::vector<Offset> inputPoints;       ///< U, the caller's ids of the used points, ascending
+  std::vector<Point3> points;            ///< U
+  std::vector<Triple> facets;            ///< F x 3, into `points`
+  std::vector<Index> facetTriangles;     ///< F, into the soup's triangles
   std::vector<unsigned char> facetTurns; ///< F, the corner of the triangle that comes first
   /** F x 3, the caller's points, if facets were split (CapSplit.h); else empty: the triangles'. */
   std::vector<std::array<Offset, 3>> facetInputs;

@@ -226,12 +226,12 @@ std::vector<CutInput> collectCutInputs(
       if (const Index point = mesh.facetPoints[f][k]; cut[point])
       {
         const Offset input = mesh.facetInputPoints[f][k];
-        uses.push_back(
-          { point, valuesOf(inputNormals[input]), mesh.facetCorners[f][k], input });
+        uses.push_back({ point, valuesOf(inputNormals[input]), mesh.facetCorners[f][k], input });
       }
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const CutInput& a, const CutInput& b)
+  std::sort(uses.begin(), uses.end(),
+    [](const CutInput& a, const CutInput& b)
     { return std::tie(a.point, a.normal, a.corner) < std::tie(b.point, b.normal, b.corner); });
   return uses;
 }
@@ -240,15 +240,14 @@ std::vector<CutInput> collectCutInputs(
  * Input points that lie in several corners of one point, alone or with others of the same normal:
  * their normals belong to none of them.
  */
-std::vector<char> findSharedInputs(
-  const SurfaceMesh& mesh, const std::vector<Point3>& inputNormals)
+std::vector<char> findSharedInputs(const SurfaceMesh& mesh, const std::vector<Point3>& inputNormals)
 {
   std::vector<char> shared(inputNormals.size(), 0);
   const std::vector<CutInput> uses = collectCutInputs(mesh, inputNormals);
   for (auto first = uses.begin(); first != uses.end();)
   {
-    const auto end = std::find_if(
-      first, uses.end(), [&](const CutInput& use) { return !use.isLike(*first); });
+    const auto end =
+      std::find_if(first, uses.end(), [&](const CutInput& use) { return !use.isLike(*first); });
     const bool isShared = first->corner != (end - 1)->corner;
     for (; first != end; ++first)
     {

@@ -22,11 +22,10 @@ void sortTies(const std::vector<std::uint64_t>& keys,
   const auto isTied = [&](Offset k) { return keys[order[k]] == keys[order[k + 1]]; };
   const auto opensRun = [&](Offset k) { return isTied(k) && (k == 0 || !isTied(k - 1)); };
   std::vector<Offset> runs;
-  static_cast<void>(
-    packItems(
-      count - 1, control.silent(), opensRun,
-      [&](Offset size) { runs.resize(static_cast<std::size_t>(size)); },
-      [&](Offset k, Offset run) { runs[run] = k; }) &&
+  static_cast<void>(packItems(
+                      count - 1, control.silent(), opensRun,
+                      [&](Offset size) { runs.resize(static_cast<std::size_t>(size)); },
+                      [&](Offset k, Offset run) { runs[run] = k; }) &&
     forEachItem(static_cast<Offset>(runs.size()), control.silent(),
       [&](Offset run)
       {

@@ -23,9 +23,8 @@ namespace remesh
  * @return N point ids.
  * Cost: O(N), in parallel. Deterministic.
  */
-std::vector<Index> orderAlongHilbertCurve(
-  const std::vector<Point3>& points, const RunControl& control = RunControl(),
-  const std::function<bool(Index, Index)>& isBefore = {});
+std::vector<Index> orderAlongHilbertCurve(const std::vector<Point3>& points,
+  const RunControl& control = RunControl(), const std::function<bool(Index, Index)>& isBefore = {});
 }
 
 #endif
