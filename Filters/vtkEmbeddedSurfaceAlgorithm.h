@@ -35,7 +35,7 @@
 #define vtkEmbeddedSurfaceAlgorithm_h
 
 #include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
@@ -45,10 +45,10 @@ struct Status;
 }
 
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkEmbeddedSurfaceAlgorithm
-  : public vtkPolyDataAlgorithm
+  : public vtkWholeSurfaceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkEmbeddedSurfaceAlgorithm, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkEmbeddedSurfaceAlgorithm, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum EmbeddingModes
@@ -189,7 +189,7 @@ protected:
   vtkEmbeddedSurfaceAlgorithm();
   ~vtkEmbeddedSurfaceAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ForgetLastRun() override;
 
   /** The first parameter that is out of its range, as an error; asked before each execution. */
   virtual remesh::Status CheckParameters();

@@ -213,8 +213,8 @@ protected:
   vtkRestrictedVoronoiAlgorithm();
   ~vtkRestrictedVoronoiAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool TakesPoints(int inputPort) const override;
 
   remesh::Status CheckParameters() override;
 
