@@ -77,7 +77,7 @@ struct Halves
 };
 
 template <class Array>
-void addConstant(vtkDataSetAttributes* data, const char* name, vtkIdType tuples, double value)
+void addConstant(vtkFieldData* data, const char* name, vtkIdType tuples, double value)
 {
   vtkNew<Array> array;
   array->SetName(name);
