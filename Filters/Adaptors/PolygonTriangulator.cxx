@@ -14,6 +14,7 @@
 #include "Adaptors/PolygonTriangulator.h"
 
 #include "Adaptors/EarClipping.h"
+#include "Adaptors/VTKCompatibility.h"
 #include "Mesh/FacetOrder.h"
 
 #include "vtkIdList.h"
@@ -191,7 +192,7 @@ bool PolygonTriangulator::TriangulateLoop()
     this->Polygon->PointIds->SetId(i, i);
   }
   this->PolygonIds->Reset();
-  if (this->Polygon->Triangulate(this->PolygonIds) == 0 ||
+  if (triangulate(this->Polygon, this->PolygonIds) == 0 ||
     this->PolygonIds->GetNumberOfIds() != 3 * (size - 2))
   {
     return clipEars(this->Scaled, this->Corners);

@@ -15,6 +15,7 @@
 #include "Adaptors/CellOrder.h"
 #include "Adaptors/PolygonTriangulator.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -141,11 +142,11 @@ bool copyTriangles(vtkCellArray* polygons, Offset firstCell, TriangleSoup& soup)
   }
   const Offset count = polygons->GetNumberOfCells();
   vtkDataArray* connectivity = polygons->GetConnectivityArray();
-  if (auto* ids64 = vtkCellArray::ArrayType64::FastDownCast(connectivity))
+  if (auto* ids64 = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(connectivity))
   {
     return copyTriangles(ids64, count, firstCell, soup);
   }
-  auto* ids32 = vtkCellArray::ArrayType32::FastDownCast(connectivity);
+  auto* ids32 = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(connectivity);
   return ids32 != nullptr && copyTriangles(ids32, count, firstCell, soup);
 }
 
