@@ -162,7 +162,7 @@ vtkSmartPointer<vtkDataObject> assemble(
   if (!composite)
   {
     const auto found = pieces.find(Path());
-    return found == pieces.end() ? own : joinPieces(found->second);
+    return found == pieces.end() ? vtkSmartPointer<vtkDataObject>(own) : joinPieces(found->second);
   }
   vtkSmartPointer<vtkCompositeDataSet> whole;
   whole.TakeReference(composite->NewInstance());
