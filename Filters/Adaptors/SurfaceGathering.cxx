@@ -161,8 +161,8 @@ vtkSmartPointer<vtkDataObject> assemble(
   auto* composite = hasBlocks(own) ? vtkCompositeDataSet::SafeDownCast(own) : nullptr;
   if (!composite)
   {
-    const auto found = pieces.find(Path());
-    return found == pieces.end() ? vtkSmartPointer<vtkDataObject>(own) : joinPieces(found->second);
+    const auto found = pieces.find(Path()); // of one leaf, this process's at least
+    return joinPieces(found->second);
   }
   vtkSmartPointer<vtkCompositeDataSet> whole;
   whole.TakeReference(composite->NewInstance());

@@ -44,11 +44,11 @@ def bytes_of(data, spread):
             add(data.GetPoints().GetData())
     for kind in (1, 2, 6) if spread else (0, 1, 2, 6):  # points, cells, fields, rows
         fields = data.GetAttributesAsFieldData(kind)
-        for k in range(fields.GetNumberOfArrays() if fields else 0):
-            array = fields.GetArray(k)
-            if array and array.GetName() not in SKIPPED:
-                digest.update(array.GetName().encode())
-                add(array)
+        found = [fields.GetArray(k) for k in range(fields.GetNumberOfArrays() if fields else 0)]
+        arrays = {array.GetName(): array for array in found if array}
+        for name in sorted(set(arrays) - SKIPPED):  # on the way here they change their order
+            digest.update(name.encode())
+            add(arrays[name])
     return f"{count} cells {digest.hexdigest()[:16]}"
 
 
@@ -64,8 +64,9 @@ def run_inside():
         for spread in (False, True):
             remesher = simple.AnisotropicRemesher(Input=source, NumberOfPoints=200)
             remesher.GetClientSideObject().SetDistributeOutputs(spread)
+            remesher.UpdatePipeline()
             for port in range(5):
-                data = servermanager.Fetch(simple.OutputPort(remesher, port))
+                data = servermanager.Fetch(remesher, idx=port)
                 if spread and (port == 3 or data.IsA("vtkCompositeDataSet")):
                     continue
                 lines.append(f"{name} {spread} {port} {bytes_of(data, True)} "
