@@ -2,9 +2,9 @@
  * @class   vtkGaussMapEmbedding
  * @brief   Adds the embedding of a surface in R^d as the point array `Embedding`.
  *
- * Output: the input, of its class and with its blocks, geometry and arrays untouched, with one more
- * point array `Embedding` (double, d components, one tuple per input point): what
- * vtkAnisotropicRemesher with the same parameters works on (with the `NormalSmoothingRadius` that its field data tells) where no
+ * Output: the input, geometry and arrays untouched, with one more point array `Embedding`
+ * (double, d components, one tuple per input point): what vtkAnisotropicRemesher with the same
+ * parameters works on (with the `NormalSmoothingRadius` that its field data tells) where no
  * features cut the surface, and no needles are left out of its normals. With `PreserveFeatures`,
  * its default, it cuts the surface open along creases and borders of labels, and each fan of
  * triangles between them has a corner and a normal of its own; here a point has one tuple for all

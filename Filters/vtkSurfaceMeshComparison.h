@@ -2,11 +2,10 @@
  * @class   vtkSurfaceMeshComparison
  * @brief   How good a surface mesh is, alone and against the surface that it stands for.
  *
- * Input port 0: the mesh to judge; port 1, optional: the reference surface. Both are surfaces of
- * polygons or triangle strips, also of several blocks or as a grid (see vtkWholeSurfaceAlgorithm),
- * which are cut into triangles as vtkEmbeddedSurfaceAlgorithm does. Nothing is merged, dropped or
- * turned round: the mesh is judged as it is, but points of different blocks with equal coordinates
- * count as one. Vertices, lines and ghost cells are ignored, points that no triangle uses take no part
+ * Input port 0: the mesh to judge; port 1, optional: the reference surface. Both are any
+ * vtkPolyData with polygons or triangle strips, which are cut into triangles as
+ * vtkEmbeddedSurfaceAlgorithm does. Nothing is merged, dropped or turned round: the mesh is judged
+ * as it is. Vertices, lines and ghost cells are ignored, points that no triangle uses take no part
  * in the surfaces.
  *
  * Output ports:
