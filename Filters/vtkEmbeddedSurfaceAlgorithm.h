@@ -2,11 +2,11 @@
  * @class   vtkEmbeddedSurfaceAlgorithm
  * @brief   What all filters on embedded surfaces share: intake, embedding and threads.
  *
- * The input is any vtkPolyData with polygons or triangle strips. Intake cuts polygons into
- * triangles (quadrilaterals along the shorter diagonal), merges coincident points, drops
- * degenerate and duplicate triangles, ignores unused points, vertices and lines, and makes the
- * orientation consistent where the surface is orientable. Non-manifold edges, open borders and
- * several components are accepted.
+ * The input is a surface of polygons or triangle strips, also of several blocks or as a grid (see
+ * vtkWholeSurfaceAlgorithm). Intake cuts polygons into triangles (quadrilaterals along the shorter
+ * diagonal), merges coincident points, drops degenerate and duplicate triangles, ignores unused
+ * points, vertices and lines, and makes the orientation consistent where the surface is orientable.
+ * Non-manifold edges, open borders and several components are accepted.
  *
  * The surface must be whole: where it is distributed over processes, each filter works on the
  * piece of its own process alone, and warns on those that have a piece other than the first.

@@ -175,7 +175,10 @@ public:
   ///@}
 
   ///@{
-  /** The outputs by name; port 0 is GetOutput(). */
+  /**
+   * The outputs by name; port 0 is GetOutput(). nullptr for composite input, but for the table: see
+   * GetOutputDataObject().
+   */
   vtkPolyData* GetVoronoiCellsOutput();
   vtkPolyData* GetSitesOutput();
   vtkTable* GetConvergenceOutput();

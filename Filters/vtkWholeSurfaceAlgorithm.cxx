@@ -189,13 +189,20 @@ struct vtkWholeSurfaceAlgorithm::vtkWhole
     {
       vtkWarningWithObjectMacro(this->Self, << text);
     }
-    if (report.lacksNormals &&
-      remesh::isPointAttribute(
-        this->Self->GetInputArrayInformation(0), vtkDataSetAttributes::NORMALS))
+    if (report.lacksNormals && this->TakesActiveNormals())
     {
       vtkWarningWithObjectMacro(this->Self,
         "Some blocks have active point normals, but not all: the normals are estimated.");
     }
+  }
+
+  /** Whether normals are used that nobody asked for. */
+  bool TakesActiveNormals() const
+  {
+    vtkInformation* choice = this->Self->GetInputArrayInformation(0);
+    return remesh::isPointAttribute(choice, vtkDataSetAttributes::NORMALS) ||
+      (remesh::isChosenByName(choice) &&
+        choice->Get(vtkDataObject::FIELD_NAME()) == std::string("Automatic"));
   }
 
   /** Plain outputs: the filter's own, or others for a while. */

@@ -97,9 +97,15 @@ void testWithoutFeatures()
   const Halves halves(24);
   vtkNew<vtkAnisotropicRemesher> remesher;
   setQuick(remesher);
+  remesher->SetNumberOfPoints(100); // triangles larger than the input's
   remesher->PreserveFeaturesOff();
-  addConstant<vtkIntArray>(
-    halves.left->GetCellData(), "OnlyLeft", halves.left->GetNumberOfCells(), 3);
+  vtkNew<vtkIntArray> numbers; // all different: what is not there would be the largest share
+  numbers->SetName("OnlyLeft");
+  for (vtkIdType k = 1; k <= halves.left->GetNumberOfCells(); ++k)
+  {
+    numbers->InsertNextValue(static_cast<int>(k));
+  }
+  halves.left->GetCellData()->AddArray(numbers);
   addConstant<vtkDoubleArray>(
     halves.left->GetPointData(), "T", halves.left->GetNumberOfPoints(), 1.0);
   addConstant<vtkDoubleArray>(
@@ -108,11 +114,11 @@ void testWithoutFeatures()
   remesher->Update();
   vtkDataObject* output = remesher->GetOutputDataObject(0);
   checkOnePlate(output, "without features");
-  CHECK_EQUAL(topologyOf(output).points, meshPoints);
+  CHECK_EQUAL(topologyOf(output).points, 100);
   const auto leaves = leavesOf(output);
   for (vtkIdType k = 0; k < leaves[0]->GetNumberOfCells(); ++k)
   {
-    CHECK_EQUAL(arrayOf(leaves[0]->GetCellData(), "OnlyLeft")->GetTuple1(k), 3.0);
+    CHECK(arrayOf(leaves[0]->GetCellData(), "OnlyLeft")->GetTuple1(k) > 0.0);
   }
   CHECK(!leaves[1]->GetCellData()->HasArray("OnlyLeft"));
   for (int side : { 0, 1 })
@@ -122,6 +128,33 @@ void testWithoutFeatures()
       CHECK_EQUAL(arrayOf(leaves[side]->GetPointData(), "T")->GetTuple1(k), side + 1.0);
     }
   }
+}
+
+/** At a sharp border, too, the values of each block are those of its side. */
+void testFold()
+{
+  const TriangleSoup soup = gridPatch(10, 10);
+  TriangleSoup upright = soup;
+  for (Point3& p : upright.points)
+  {
+    p = Point3(1.0, p[1], p[0]); // touches at x = 1
+  }
+  vtkNew<vtkAnisotropicRemesher> remesher;
+  setQuick(remesher);
+  remesher->SetInputDataObject(blocksOf({ polyDataOf(soup), polyDataOf(upright) }));
+  remesher->Update();
+  const auto leaves = leavesOf(remesher->GetOutputDataObject(0));
+  CHECK_EQUAL(leaves.size(), 2u);
+  for (int side : { 0, 1 })
+  {
+    const vtkSmartPointer<vtkDataArray> normals = arrayOf(leaves[side]->GetPointData(), "Normals");
+    CHECK(leaves[side]->GetPointData()->GetNormals() == normals);
+    for (vtkIdType k = 0; k < normals->GetNumberOfTuples(); ++k)
+    {
+      CHECK_NEAR(std::abs(normals->GetComponent(k, side == 0 ? 2 : 0)), 1.0, 1e-9);
+    }
+  }
+  CHECK_EQUAL(topologyOf(remesher->GetOutputDataObject(0)).points, meshPoints);
 }
 
 /** The area of the pieces of each input cell is that of the cell: its id is the one in its block.
@@ -448,6 +481,7 @@ int TestComposite(int, char*[])
 {
   testNoGaps();
   testWithoutFeatures();
+  testFold();
   testStructure();
   testOneBlock();
   testPartitions();
