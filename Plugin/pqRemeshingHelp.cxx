@@ -15,6 +15,7 @@ void pqRemeshingHelp::startup()
     if (child->inherits("QHelpEngine") && child->metaObject()->indexOfProperty("readOnly") >= 0)
     {
       child->setProperty("readOnly", false);
+      child->property("currentFilter"); // opens the collection again
     }
   }
   application->registerDocumentation(":/AnisotropicRemeshing/AnisotropicRemeshing.qch");
