@@ -1,0 +1,272 @@
+"""Presses the buttons of ParaView's real window, on a display of its own.
+
+TestWindow.py <paraview> <plugin.so> <folder> <scenario>
+
+The steps are played by ParaView's own test playback: it sends mouse and key events to widgets that
+it finds by name, so that neither fonts nor sizes matter, and it waits until the window is idle. A
+step whose widget is missing or hidden fails. What the window then holds is written by
+TestWindowState.py, which the window's Python shell runs, and judged here.
+"""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+from xml.sax.saxutils import quoteattr
+
+MAIN = "pqClientMainWindow"
+PROPERTIES = MAIN + "/propertiesDock/propertiesPanel"
+PANEL = PROPERTIES + ("/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents"
+                      "/PropertiesFrame/ProxyPanel")
+ANISOTROPY = PANEL + "/Anisotropy/DoubleRangeWidget/DoubleLineEdit"
+SIZE = PANEL + "/remeshing_size"
+SHELL = MAIN + "/pythonShellDock/pythonShell/consoleWidget"
+STATE_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "TestWindowState.py")
+SECONDS = 110
+
+
+class Playback:
+    """Steps in the window, written to a file that ParaView plays."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.steps = []
+
+    def event(self, widget, command, arguments=""):
+        self.steps.append("<pqevent object=%s command=%s arguments=%s />" % tuple(
+            quoteattr(text) for text in (widget, command, arguments)))
+
+    def check(self, widget, name, value):
+        self.steps.append("<pqcheck object=%s property=%s arguments=%s />" % tuple(
+            quoteattr(text) for text in (widget, name, value)))
+
+    def press(self, button):
+        self.event(button, "activate")
+
+    def menu(self, menu, entry):
+        self.event(MAIN + "/menubar/" + menu, "activate", entry)
+
+    def apply(self):
+        self.check(PROPERTIES + "/Accept", "enabled", "true")
+        self.press(PROPERTIES + "/Accept")
+
+    def filter(self, name):
+        self.menu("menuFilters/Surface Remeshing", name)
+
+    def type(self, widget, text):
+        """Replace a box's text, key by key, and press Return."""
+        self.check(widget, "visible", "true")
+        self.key(widget, ord("A"), "", modifiers=0x04000000)
+        for letter in text:
+            self.key(widget, ord(letter), letter)
+        self.key(widget, 0x01000004, "")
+
+    def key(self, widget, code, text, modifiers=0):
+        for kind in (6, 7):  # pressed, released
+            self.event(widget, "keyEvent", "%d:%d:%d:%s:0:1" % (kind, code, modifiers, text))
+
+    def load_plugin(self, plugin):
+        dialog = MAIN + "/PluginManagerDialog"
+        self.menu("menuTools", "actionManage_Plugins")
+        self.press(dialog + "/splitter/localGroup/loadLocal")
+        self.event(dialog + "/pqFileDialog", "filesSelected", plugin)
+        self.press(dialog + "/buttonBox/1QPushButton0")
+
+    def open(self, file):
+        self.menu("menu_File", "actionFileOpen")
+        self.event(MAIN + "/FileOpenDialog", "filesSelected", os.path.join(self.folder, file))
+        self.apply()
+
+    def state(self, name, digests=()):
+        """Have the window's Python shell write what there is."""
+        values = {"name": name, "folder": self.folder, "digests": digests}
+        self.event(SHELL, "executeCommand",
+                   "exec(compile(open(%r).read(), 'State', 'exec'), %r)" % (STATE_SCRIPT, values))
+
+    def write(self):
+        file = os.path.join(self.folder, "steps.xml")
+        with open(file, "w") as out:
+            out.write('<?xml version="1.0" ?>\n<pqevents>\n%s\n</pqevents>\n'
+                      % "\n".join(self.steps))
+        return file
+
+
+class Display:
+    """A screen and a window manager of its own."""
+
+    def __enter__(self):
+        reading, writing = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-noreset",
+             "-nolisten", "tcp"], pass_fds=(writing,), stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as pipe:
+            name = ":" + pipe.readline().strip()
+        self.environment = dict(os.environ, DISPLAY=name)
+        self.manager = subprocess.Popen(["openbox"], env=self.environment,
+                                        stderr=subprocess.DEVNULL)
+        return self
+
+    def __exit__(self, *_):
+        for process in (self.manager, self.server):
+            process.kill()
+            process.wait()
+
+
+def play(paraview, playback):
+    """Play the steps. Returns the lines that tell of failures."""
+    settings = os.path.join(playback.folder, "settings", "ParaView")
+    os.makedirs(settings)
+    for version in ("5.11.0", "5.13.2"):
+        with open(os.path.join(settings, "ParaView%s.ini" % version), "w") as file:
+            file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+    with Display() as display:
+        environment = dict(display.environment, PQOBJECTNAMING_MATCH_LIMIT="1",
+                           XDG_CONFIG_HOME=os.path.join(playback.folder, "settings"))
+        process = subprocess.Popen(
+            [paraview, "--exit", "--test-directory=" + playback.folder,
+             "--test-script=" + playback.write()], env=environment, text=True, errors="replace",
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+        return watch(process, display)
+
+
+def watch(process, display):
+    """Read what ParaView tells until it ends, or fails, or takes too long."""
+    def end(reason):
+        failures.append(reason)
+        picture = os.environ.get("WINDOW_PICTURE")
+        if picture and shutil.which("import"):
+            subprocess.run(["import", "-window", "root", picture], env=display.environment)
+        os.killpg(process.pid, signal.SIGKILL)
+
+    failures = []
+    timer = threading.Timer(SECONDS, end, ["takes more than %d seconds" % SECONDS])
+    timer.start()
+    for line in process.stdout:
+        print(line, end="", flush=True)
+        if any(word in line for word in ("Traceback", "ERR|", "Couldn't find object", "failed")):
+            end(line.strip())
+            break
+    timer.cancel()
+    process.wait()
+    if process.returncode and not failures:
+        failures.append("ParaView ended with %d" % process.returncode)
+    return failures
+
+
+def write_mesh(file):
+    """A torus of triangles without normals, as a scan has none."""
+    from math import cos, pi, sin
+    rows, columns = 30, 60
+    with open(file, "w") as out:
+        out.write("ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face %d\nproperty list uchar int vertex_indices\n"
+                  "end_header\n" % (rows * columns, 2 * rows * columns))
+        for row in range(rows):
+            for column in range(columns):
+                small, large = 2 * pi * row / rows, 2 * pi * column / columns
+                radius = 1 + 0.4 * cos(small)
+                out.write("%.6f %.6f %.6f\n"
+                          % (radius * cos(large), radius * sin(large), 0.4 * sin(small)))
+        for row in range(rows):
+            for column in range(columns):
+                a, b = row * columns, (row + 1) % rows * columns
+                here, there = column, (column + 1) % columns
+                out.write("3 %d %d %d\n3 %d %d %d\n"
+                          % (a + here, a + there, b + there, a + here, b + there, b + here))
+
+
+class Judge:
+    """Compares what the window held with what it should."""
+
+    def __init__(self, folder, failures):
+        self.folder = folder
+        self.failures = failures
+
+    def read(self, name):
+        file = os.path.join(self.folder, name + ".json")
+        if not os.path.exists(file):
+            self.failures.append("%s: was not reached" % name)
+            return None
+        with open(file) as state:
+            return json.load(state)
+
+    def equal(self, what, found, expected):
+        if found != expected:
+            self.failures.append("%s: %r instead of %r" % (what, found, expected))
+
+    def within(self, what, found, low, high):
+        if not low <= found <= high:
+            self.failures.append("%s: %r is not within %r and %r" % (what, found, low, high))
+
+    def visible(self, name, state, expected):
+        """What is seen, in all views, as (source, port) pairs; the render view stays active."""
+        seen = sorted((item["source"], item["port"])
+                      for view in state["views"].values() for item in view["visible"])
+        self.equal(name + ", visible outputs", seen, sorted(expected))
+        self.equal(name + ", views", [view["type"] for view in state["views"].values()],
+                   ["RenderView"])
+        self.equal(name + ", active view", state["active_view"], "RenderView")
+
+
+REMESHER = "AnisotropicRemesher1"
+
+
+def play_remesher(steps):
+    steps.filter("AnisotropicRemesher")
+    steps.check(SIZE + "/DistanceTolerance", "visible", "false")
+    steps.type(SIZE + "/NumberOfPoints", "500")
+    steps.type(ANISOTROPY, "0.06")
+    steps.apply()
+    steps.state("first", [REMESHER])
+    steps.type(SIZE + "/NumberOfPoints", "300")
+    steps.apply()
+    steps.state("fewer")
+    steps.menu("menu_Edit", "actionEditUndo")
+    steps.check(SIZE + "/NumberOfPoints", "text", "500")
+    steps.state("undone")
+
+
+def judge_remesher(judge):
+    first = judge.read("first")
+    if first:
+        source = first["sources"][REMESHER]
+        judge.equal("first, Number Of Points", source["NumberOfPoints"], 500)
+        judge.equal("first, Anisotropy", source["Anisotropy"], 0.06)
+        judge.equal("first, points", source["points"][0], 500)
+        judge.equal("first, triangles", source["cells"][0], 1000)
+        judge.visible("first", first, [(REMESHER, 0)])
+        judge.within("first, part of the picture", first["picture"]["surface"], 0.1, 0.9)
+        judge.within("first, edges in the picture", first["picture"]["lines"], 0.03, 0.6)
+    fewer = judge.read("fewer")
+    if fewer:
+        judge.equal("fewer, points", fewer["sources"][REMESHER]["points"][0], 300)
+    undone = judge.read("undone")
+    if undone:
+        judge.equal("undone, Number Of Points", undone["sources"][REMESHER]["NumberOfPoints"], 500)
+
+
+SCENARIOS = {"Remesher": (play_remesher, judge_remesher)}
+
+
+def main(paraview, plugin, folder, scenario):
+    folder = os.path.join(os.path.abspath(folder), "Window" + scenario)
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    write_mesh(os.path.join(folder, "mesh.ply"))
+    press, judge = SCENARIOS[scenario]
+    steps = Playback(folder)
+    steps.load_plugin(plugin)
+    steps.open("mesh.ply")
+    press(steps)
+    failures = play(paraview, steps)
+    judge(Judge(folder, failures))
+    for failure in failures:
+        print("FAILED:", failure)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
