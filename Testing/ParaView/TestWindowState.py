@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import traceback
 
 from paraview import servermanager, simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
@@ -28,11 +29,10 @@ def source_state(source, with_digest):
              "type": source.GetXMLName()}
     for property in ("NumberOfPoints", "Anisotropy", "NumberOfSamples"):
         if source.GetProperty(property) is not None:
-            state[property] = source.GetPropertyValue(property)
+            state[property] = value_of(source, property)
     for property in ("Input", "Reference", "Sites"):
         if source.GetProperty(property) is not None:
-            value = source.GetPropertyValue(property)
-            state[property] = names.get(value.SMProxy.GetGlobalID()) if value else None
+            state[property] = input_of(source, property)
     if with_digest:
         state["digest"] = digest(source, 0)
     return state
@@ -41,7 +41,7 @@ def source_state(source, with_digest):
 def representation_state(representation):
     return {"source": names.get(representation.Input.SMProxy.GetGlobalID()),
             "port": representation.Input.Port,
-            "how": getattr(representation, "Representation", None),
+            "how": str(getattr(representation, "Representation", "")),
             "type": representation.GetXMLName()}
 
 
@@ -49,7 +49,7 @@ def picture_state(view):
     """How much of the picture the surface takes, and how much of that are dark lines."""
     file = os.path.join(folder, name + ".png")
     simple.SaveScreenshot(file, view, ImageResolution=[500, 400])
-    reader = vtkPNGReader(FileName=file) if False else vtkPNGReader()
+    reader = vtkPNGReader()
     reader.SetFileName(file)
     reader.Update()
     image = reader.GetOutput()
@@ -61,19 +61,37 @@ def picture_state(view):
     return {"surface": float(surface.mean()), "lines": float(lines.sum() / max(1, surface.sum()))}
 
 
+def value_of(source, property):
+    value = source.GetPropertyValue(property)
+    return value if isinstance(value, (int, float, str)) else list(value)
+
+
+def input_of(source, property):
+    value = source.GetPropertyValue(property)
+    return names.get(value.SMProxy.GetGlobalID()) if value else None
+
+
+def window_state():
+    state = {"sources": {}, "views": {}}
+    for key, source in simple.GetSources().items():
+        state["sources"][key[0]] = source_state(source, key[0] in digests)
+    for key, view in servermanager.ProxyManager().GetProxiesInGroup("views").items():
+        state["views"][key[0]] = {
+            "type": view.GetXMLName(),
+            "visible": [representation_state(item) for item in view.Representations
+                        if getattr(item, "Visibility", 0) and hasattr(item, "Input")]}
+    active = simple.GetActiveView()
+    state["active_view"] = active.GetXMLName() if active else None
+    state["time"] = simple.GetAnimationScene().AnimationTime
+    if active and active.GetXMLName() == "RenderView":
+        state["picture"] = picture_state(active)
+    return state
+
+
 names = {source.SMProxy.GetGlobalID(): key[0] for key, source in simple.GetSources().items()}
-state = {"sources": {}, "views": {}, "active_view": None}
-for key, source in simple.GetSources().items():
-    state["sources"][key[0]] = source_state(source, key[0] in digests)
-for key, view in servermanager.ProxyManager().GetProxiesInGroup("views").items():
-    state["views"][key[0]] = {
-        "type": view.GetXMLName(),
-        "visible": [representation_state(item) for item in view.Representations
-                    if getattr(item, "Visibility", 0) and hasattr(item, "Input")]}
-active = simple.GetActiveView()
-state["active_view"] = active.GetXMLName() if active else None
-state["frame"] = simple.GetAnimationScene().AnimationTime
-if active and active.GetXMLName() == "RenderView":
-    state["picture"] = picture_state(active)
+try:
+    text = json.dumps(window_state(), indent=1)
+except Exception:
+    text = json.dumps({"error": traceback.format_exc()})
 with open(os.path.join(folder, name + ".json"), "w") as file:
-    json.dump(state, file, indent=1)
+    file.write(text)
