@@ -89,7 +89,7 @@ class Playback:
         self.menu("menu_File", "actionFileLoadServerState")
         self.event(MAIN + "/FileLoadServerStateDialog", "filesSelected",
                    os.path.join(self.folder, file))
-        self.press(MAIN + "/LoadStateDialog/xx")
+        self.press("LoadStateOptionsDialog/widget/OKButton")
 
     def state(self, name, digests=()):
         """Have the window's Python shell write what there is."""
@@ -140,15 +140,12 @@ def play(paraview, playback):
             [paraview, "--exit", "--test-directory=" + playback.folder,
              "--test-script=" + playback.write()], env=environment, text=True, errors="replace",
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
-        return watch(process, display)
+        return watch(process)
 
 
-def watch(process, display):
+def watch(process):
     """Read what ParaView tells until it ends, or fails, or takes too long."""
     def end():
-        picture = os.environ.get("WINDOW_PICTURE")
-        if picture and shutil.which("import"):
-            subprocess.run(["import", "-window", "root", picture], env=display.environment)
         os.killpg(process.pid, signal.SIGKILL)
 
     failures = []
@@ -247,6 +244,7 @@ def play_remesher(steps):
     steps.state("redone", [REMESHER])
     steps.save_state("window.pvsm")
     steps.menu("menu_Edit", "actionDelete_All")
+    steps.press(MAIN + "/CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")
     steps.load_state("window.pvsm")
     steps.state("loaded", [REMESHER])
 
@@ -276,15 +274,42 @@ def play_animation(steps):
     steps.type(SIZE + "/NumberOfPoints", "300")
     steps.apply()
     steps.menu("menu_View", "Animation View")
-    steps.press("pqClientMainWindow/animationViewDock/xx")
+    tracks = MAIN + "/animationViewDock/animationView/pqAnimationWidget"
+    chooser = tracks + "/CreateDeleteWidget"
+    steps.event(chooser + "/ProxyCombo", "activated", REMESHER)
+    steps.event(chooser + "/PropertyCombo", "activated", "Number Of Points")
+    # The "+" is section 2 of a header, below the header's own and Time's.
+    for command in ("mousePress", "mouseRelease"):
+        steps.event(tracks + "/1QHeaderView0", command, "1,1,0,0,0,2")
+    steps.state("animation")
+    for frame in ("First", "Next", "Next", "Last"):
+        steps.press(MAIN + "/VCRToolbar/actionVCR%sFrame" % frame)
+        steps.state("frame" + frame)
 
 
 def judge_animation(judge):
     pass
 
 
+def play_others(steps):
+    steps.filter("GaussMapEmbedding")
+    steps.type(PANEL + "/NumberOfPoints/LineEdit", "400")
+    steps.apply()
+    steps.state("embedding")
+    steps.filter("AnisotropicRemesher")
+    steps.type(SIZE + "/NumberOfPoints", "400")
+    steps.apply()
+    steps.filter("SurfaceMeshComparison")
+    steps.press(MAIN + "/xx")
+
+
+def judge_others(judge):
+    pass
+
+
 SCENARIOS = {"Remesher": (play_remesher, judge_remesher),
-             "Animation": (play_animation, judge_animation)}
+             "Animation": (play_animation, judge_animation),
+             "Others": (play_others, judge_others)}
 
 
 def main(paraview, plugin, folder, scenario):

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import subprocess
 import traceback
 
 from paraview import servermanager, simple
@@ -88,7 +89,15 @@ def window_state():
     return state
 
 
+def keep_window_picture():
+    """The whole window, to look at, where that is wanted and ImageMagick is there."""
+    pictures = os.environ.get("TEST_WINDOW_PICTURES")
+    if pictures:
+        subprocess.run(["import", "-window", "root", os.path.join(pictures, name + ".png")])
+
+
 names = {source.SMProxy.GetGlobalID(): key[0] for key, source in simple.GetSources().items()}
+keep_window_picture()
 try:
     text = json.dumps(window_state(), indent=1)
 except Exception:
