@@ -2,6 +2,10 @@
  * @class   vtkRestrictedVoronoiDiagram
  * @brief   Cuts a surface into the Voronoi cells of given sites, and joins the sites to triangles.
  *
+ * Each place of the surface belongs to the site that is nearest to it in the embedding (see
+ * vtkEmbeddedSurfaceAlgorithm): these parts are the cells. Sites whose cells meet are joined to
+ * triangles, the restricted Delaunay triangulation.
+ *
  * Input port 0: the surface; input port 1: the sites, any point set with at least 1 point. Their
  * point array `Embedding`, if it has d components, is their place in R^d, else each is put at the
  * surface's point closest to it. Sites are not moved and none is dropped: one with an empty cell

@@ -2,6 +2,10 @@
  * @class   vtkSurfaceMeshComparison
  * @brief   Measures how good a surface mesh is, alone and against a reference surface.
  *
+ * Of a mesh alone: how well shaped its triangles are, its borders, components and faults. Against a
+ * reference, as the surface that the mesh was made from: how far both are from each other, both
+ * ways, and how their normals differ.
+ *
  * Input port 0: the mesh to judge; port 1, optional: the reference surface. Both are any
  * vtkPolyData with polygons or triangle strips, which are cut into triangles as
  * vtkAnisotropicRemesher does. Nothing is merged, dropped or turned round: the mesh is judged

@@ -21,7 +21,7 @@ pqCoordinateArraysWidget::pqCoordinateArraysWidget(
   this->setProperty(smproperty);
   this->Table->setObjectName("Table");
   this->Table->setHorizontalHeaderLabels({ tr("Array"), tr("Scale") });
-  this->Table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   this->Table->verticalHeader()->hide();
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
 

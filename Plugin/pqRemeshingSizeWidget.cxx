@@ -47,7 +47,7 @@ void pqRemeshingSizeWidget::addNumberOfPoints(QGridLayout* grid)
   this->setToolTipOf(this->ChooseNumber, "NumberOfPoints");
   this->setToolTipOf(this->Number, "NumberOfPoints");
   grid->addWidget(this->ChooseNumber, 0, 0);
-  grid->addWidget(this->Number, 0, 1, 1, 2);
+  grid->addWidget(this->Number, 0, 1);
 
   this->addPropertyLink(this->Number, "text2", SIGNAL(textChanged(const QString&)),
     this->propertyGroup()->GetProperty("NumberOfPoints"));
@@ -65,22 +65,21 @@ void pqRemeshingSizeWidget::addDistanceTolerance(QGridLayout* grid)
   this->Tolerance->setTextAndResetCursor(this->LastTolerance);
   this->Unit = new QComboBox(this);
   this->Unit->setObjectName("DistanceToleranceIsAbsolute");
-  this->Unit->addItem(tr("of the diagonal"));
+  this->Unit->addItem(tr("of diagonal"));
   this->Unit->addItem(tr("as a length"));
   this->setToolTipOf(this->ChooseTolerance, "DistanceTolerance");
   this->setToolTipOf(this->Tolerance, "DistanceTolerance");
   this->setToolTipOf(this->Unit, "DistanceToleranceIsAbsolute");
   grid->addWidget(this->ChooseTolerance, 1, 0);
   grid->addWidget(this->Tolerance, 1, 1);
-  grid->addWidget(this->Unit, 1, 2);
+  grid->addWidget(this->Unit, 2, 1);
 
   this->addPropertyLink(this, "distanceTolerance", SIGNAL(distanceToleranceChanged()),
     this->propertyGroup()->GetProperty("DistanceTolerance"));
   this->addPropertyLink(this->Unit, "currentIndex", SIGNAL(currentIndexChanged(int)),
     this->propertyGroup()->GetProperty("DistanceToleranceIsAbsolute"));
   this->connect(this->ChooseTolerance, SIGNAL(toggled(bool)), SLOT(showChosen()));
-  this->connect(
-    this->ChooseTolerance, SIGNAL(toggled(bool)), SIGNAL(distanceToleranceChanged()));
+  this->connect(this->ChooseTolerance, SIGNAL(toggled(bool)), SIGNAL(distanceToleranceChanged()));
   this->connect(this->ChooseTolerance, SIGNAL(toggled(bool)), SIGNAL(changeFinished()));
   this->connect(
     this->Tolerance, SIGNAL(textChanged(const QString&)), SIGNAL(distanceToleranceChanged()));
@@ -98,8 +97,8 @@ void pqRemeshingSizeWidget::addMaximumNumberOfPoints(QGridLayout* grid)
   this->Maximum->setValidator(new QIntValidator(this->Maximum));
   this->setToolTipOf(this->MaximumLabel, "MaximumNumberOfPoints");
   this->setToolTipOf(this->Maximum, "MaximumNumberOfPoints");
-  grid->addWidget(this->MaximumLabel, 2, 0);
-  grid->addWidget(this->Maximum, 2, 1, 1, 2);
+  grid->addWidget(this->MaximumLabel, 3, 0);
+  grid->addWidget(this->Maximum, 3, 1);
 
   this->addPropertyLink(this->Maximum, "text2", SIGNAL(textChanged(const QString&)),
     this->propertyGroup()->GetProperty("MaximumNumberOfPoints"));

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""make_help.py --headers DIR --xml FILE... --output DIR [--prune DIR]: writes the help pages.
+"""make_help.py --headers DIR --xml FILE... --output DIR: writes the plugin's help pages.
 
 One page a filter of the menu, named as ParaView's "?" button asks for it, `filters.<name>.html`,
-and `index.html`. All text comes from the class comments and setters' comments of the headers and
-from the properties' texts in the XML; see header_comments.py for what a comment may hold.
+`index.html`, and the project for Qt's qhelpgenerator. All text comes from the class comments and
+setters' comments of the headers and from the properties' texts in the XML; see header_comments.py
+for what a comment may hold.
 """
 import argparse
 import html
@@ -14,6 +15,8 @@ from pathlib import Path
 from header_comments import read_chain
 from proxies import read_filters
 
+# The "?" button looks into the folder of each namespace that has the namespace's name up to a dot.
+NAME = "AnisotropicRemeshing"
 # A page's sections after "What it does" and "Properties", by the titles used in the headers.
 USE, OUTPUTS, INPUT = "When to use it", "Outputs and arrays", "Input and embedding"
 GUARANTEES, LIMITS, REFERENCE = "What is guaranteed", "Limits", "Reference"
@@ -45,9 +48,11 @@ class Writer:
     def __init__(self, owner, chain, filters):
         self.owner = owner
         self.chain = chain
-        self.choices = words_of_enumerators(owner, chain)
+        self.choices = {name: f"<i>{html.escape(text)}</i>"
+                        for name, text in words_of_enumerators(owner, chain).items()}
+        self.told = {}  # properties by the comment on what sets them
         self.pages = {other.class_name: other for other in filters}
-        self.names_are_arrays = False  # where a word means an array before a property
+        self.section = ""  # the title of the one being written
 
     def link_of_class(self, name):
         """A filter's label and page, or the section of this page that a base class makes."""
@@ -64,9 +69,9 @@ class Writer:
     def code(self, word):
         """What stands in backticks: a property's label, or the word as it is."""
         if word in self.choices:
-            return html.escape(self.choices[word])
+            return self.choices[word]
         target = self.owner.properties.get(word)
-        if target and not self.names_are_arrays:
+        if target and self.section != OUTPUTS:  # where a word means an array before a property
             return f'<a href="#{target.name}">{html.escape(target.label)}</a>'
         text = f"<code>{html.escape(word, quote=False)}</code>"
         return f'<a href="#{target.name}">{text}</a>' if target else text
@@ -80,7 +85,8 @@ class Writer:
             part = re.sub(r"\b[A-Z][A-Z_]+\b",
                           lambda m: self.choices.get(m[0], m[0]), html.escape(part, quote=False))
             part = re.sub(r"\^\(([^)]*)\)|\^(\w)", lambda m: f"<sup>{m[1] or m[2]}</sup>", part)
-            part = part.replace("[Levy12]", f'<a href="#{anchor_of(REFERENCE)}">[Levy12]</a>')
+            if self.section != REFERENCE:
+                part = part.replace("[Levy12]", f'<a href="#{anchor_of(REFERENCE)}">[Levy12]</a>')
             parts[index] = re.sub(r"\bvtk[A-Z]\w+", lambda m: self.link_of_class(m[0]), part)
         return "".join(parts)
 
@@ -155,11 +161,13 @@ def arrays_of(text):
 
 
 def sentences_of(text):
-    return re.split(r"(?<=[.:])\s+(?=[A-Z`\"]|nullptr)", text)
+    return re.split(r"(?<=\.)\s+(?=[A-Z`\"]|nullptr)", text)
 
 
 def words_of(text):
-    return [word for word in re.findall(r"[a-z]+", text.lower()) if len(word) > 2]
+    """The words that say something; defaults and ranges are told elsewhere."""
+    return [word for word in re.findall(r"[a-z]+", text.lower())
+            if len(word) > 2 and word not in ("the", "and", "default", "least", "most", "from")]
 
 
 def news_of(text, known):
@@ -195,23 +203,32 @@ def words_of_enumerators(owner, chain):
 
 
 def facts_of(target):
-    """Default, values and name in scripts, a line each."""
+    """Default, values, name in scripts and place, a line each."""
     facts = []
     if target.default != "":
         facts.append(f"default {html.escape(target.default, quote=False)}")
     if target.allowed:
         facts.append(html.escape(target.allowed, quote=False))
     facts.append(f"script: <code>{target.script_name}</code>")
-    if target.visibility == "never":
-        facts.append("in scripts only")
+    where = {"advanced": "behind the gear", "never": "in scripts only"}
+    if target.visibility in where:
+        facts.append(where[target.visibility])
     return "<br/>".join(f"<small>{fact}</small>" for fact in facts)
 
 
-def property_row(target, chain, writer):
+def long_text(target, chain, writer):
+    """What the header says beyond the tooltip; of two properties with one comment, once."""
     blocks = list(setters_comment(target, chain))
+    first = writer.told.setdefault(str(blocks), target)
+    if blocks and first is not target:
+        return f'<p>See <a href="#{first.name}">{html.escape(first.label)}</a>.</p>\n'
     if blocks and isinstance(blocks[0], str):
-        blocks = [news_of(blocks[0], target.text)] + blocks[1:]
-    cell = f"<p>{writer.inline(target.text)}</p>\n" + writer.blocks(blocks)
+        blocks[0] = news_of(blocks[0], target.text)
+    return writer.blocks(blocks)
+
+
+def property_row(target, chain, writer):
+    cell = f"<p>{writer.inline(target.text)}</p>\n" + long_text(target, chain, writer)
     return (f'<tr><td><a name="{target.name}"></a><b>{html.escape(target.label)}</b><br/>'
             f"{facts_of(target)}</td>\n<td>{cell}</td></tr>\n")
 
@@ -244,9 +261,9 @@ def page_of(owner, chain, filters):
             title = title or UNTITLED.get(one.name, "")
             if title and title not in sections:
                 raise ValueError(f"{one.name}: the help pages have no section {title!r}")
-            writer.names_are_arrays = title == OUTPUTS
+            writer.section = title
             sections[title] = sections.get(title, "") + writer.blocks(blocks)
-    writer.names_are_arrays = False
+    writer.section = ""
 
     properties = ""
     for title, members in properties_by_group(owner):
@@ -272,12 +289,25 @@ def index_of(filters, chains):
     return document(title, f"<h1>{title}</h1>\n" + table("Filter", "What it does", rows))
 
 
+def project_of(filters):
+    """What qhelpgenerator reads: namespace, contents, keywords and files."""
+    pages = [(f"filters.{one.name}.html", html.escape(one.label)) for one in filters]
+    contents = "".join(f'<section title="{label}" ref="{page}"/>\n' for page, label in pages)
+    keywords = "".join(f'<keyword name="{label}" ref="{page}"/>\n' for page, label in pages)
+    files = "".join(f"<file>{page}</file>\n" for page, _ in pages)
+    return (f'<?xml version="1.0" encoding="UTF-8"?>\n<QtHelpProject version="1.0">\n'
+            f"<namespace>{NAME}.org</namespace>\n<virtualFolder>{NAME}</virtualFolder>\n"
+            f'<filterSection>\n<toc><section title="{filters[0].category}" ref="index.html">\n'
+            f"{contents}</section></toc>\n<keywords>\n{keywords}</keywords>\n"
+            f"<files>\n<file>index.html</file>\n{files}</files>\n"
+            f"</filterSection>\n</QtHelpProject>\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--headers", required=True, help="folder of the filters' headers")
     parser.add_argument("--xml", required=True, nargs="+", help="server-manager XML files")
     parser.add_argument("--output", required=True, help="folder to write the pages to")
-    parser.add_argument("--prune", help="folder from which pages of other proxies are removed")
     arguments = parser.parse_args()
 
     filters = read_filters(arguments.xml)
@@ -290,9 +320,7 @@ def main():
         page = page_of(one, chain, filters)
         (output / f"filters.{one.name}.html").write_text(page, encoding="utf-8")
     (output / "index.html").write_text(index_of(filters, chains), encoding="utf-8")
-    for page in Path(arguments.prune).glob("*.html") if arguments.prune else ():
-        if not (output / page.name).is_file():
-            page.unlink()
+    (output / f"{NAME}.qhp").write_text(project_of(filters), encoding="utf-8")
     return 0
 
 

@@ -48,6 +48,19 @@ def label_of(element):
         r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
 
 
+def short_number(text):
+    return re.sub(r"\.0*$", "", text)
+
+
+def range_in_words(low, high):
+    """A domain with both ends is no limit, but makes a slider."""
+    if low is not None and high is not None:
+        return f"slider: {short_number(low)} to {short_number(high)}"
+    if low is not None:
+        return f"{short_number(low)} or more"
+    return f"{short_number(high)} or less" if high is not None else "any number"
+
+
 def allowed_values(element):
     """A range, choices or kind of array in words; "" where there is nothing to tell."""
     for domain in element:
@@ -56,12 +69,7 @@ def allowed_values(element):
         if domain.tag == "EnumerationDomain":
             return ", ".join(entry.get("text") for entry in domain.findall("Entry"))
         if domain.tag in ("IntRangeDomain", "DoubleRangeDomain"):
-            low, high = domain.get("min"), domain.get("max")
-            if low is not None and high is not None:
-                return f"{low} to {high}"
-            if low is not None:
-                return f"{low} or more"
-            return f"{high} or less" if high is not None else "any number"
+            return range_in_words(domain.get("min"), domain.get("max"))
         if domain.tag.endswith("ArrayListDomain"):
             return "an array of the input"
         if domain.tag == "DataTypeDomain":
@@ -79,8 +87,7 @@ def default_value(element, choices):
         return {"0": "off", "1": "on"}.get(value, value)
     if element.get("number_of_elements", "1") != "1":
         return ""  # an array's association and name
-    if re.fullmatch(r"-?\d+\.0*", value):
-        value = value.split(".")[0]
+    value = short_number(value)
     return choices.get(value, value)
 
 
