@@ -56,6 +56,21 @@ class Playback:
     def filter(self, name):
         self.menu("menuFilters/Surface Remeshing", name)
 
+    def click(self, tree, place):
+        """Click an entry of a tree, at its left side."""
+        self.event(tree, "mousePress", "1,1,0,40,10," + place)
+        self.event(tree, "mouseRelease", "1,0,0,40,10," + place)
+
+    def select(self, place):
+        self.click(MAIN + "/pipelineBrowserDock/pipelineBrowser", place)
+
+    def choose_input(self, name, place):
+        """Answer the dialog that asks for a filter's inputs."""
+        dialog = MAIN + "/SelectInputDialog"
+        self.event(dialog + "/buttonFrame/" + name, "set_boolean", "true")
+        self.click(dialog + "/pipelineView", place)
+        self.press(dialog + "/buttonBox/1QPushButton0")
+
     def type(self, widget, text):
         """Replace a box's text, key by key, and press Return."""
         self.check(widget, "visible", "true")
@@ -230,7 +245,11 @@ REMESHER = "AnisotropicRemesher1"
 
 def play_remesher(steps):
     steps.filter("AnisotropicRemesher")
-    steps.check(SIZE + "/DistanceTolerance", "visible", "false")
+    for choice, number, tolerance in (("DistanceTolerance", "false", "true"),
+                                      ("NumberOfPoints", "true", "false")):
+        steps.event(SIZE + "/Choose" + choice, "set_boolean", "true")
+        steps.check(SIZE + "/NumberOfPoints", "visible", number)
+        steps.check(SIZE + "/DistanceTolerance", "visible", tolerance)
     steps.type(SIZE + "/NumberOfPoints", "500")
     steps.type(ANISOTROPY, "0.06")
     steps.apply()
@@ -282,29 +301,78 @@ def play_animation(steps):
     for command in ("mousePress", "mouseRelease"):
         steps.event(tracks + "/1QHeaderView0", command, "1,1,0,0,0,2")
     steps.state("animation")
-    for frame in ("First", "Next", "Next", "Last"):
-        steps.press(MAIN + "/VCRToolbar/actionVCR%sFrame" % frame)
-        steps.state("frame" + frame)
+    for button, name in (("First", "First"), ("Next", ""), ("Next", "Second"), ("Last", "Last")):
+        steps.press(MAIN + "/VCRToolbar/actionVCR%sFrame" % button)
+        if name:
+            steps.state("frame" + name)
 
 
 def judge_animation(judge):
-    pass
+    animated = judge.read("animation")
+    if animated:
+        judge.equal("animation, visible", animated["active_view"], "RenderView")
+    counts = []
+    for frame in ("First", "Second", "Last"):
+        state = judge.read("frame" + frame)
+        if state:
+            source = state["sources"][REMESHER]
+            judge.equal("frame%s, points" % frame, source["points"][0], source["NumberOfPoints"])
+            counts.append(source["NumberOfPoints"])
+    # From the least of the property's range to what it was, in 10 frames.
+    judge.equal("animation, Number Of Points", counts, [4, 69, 300])
+
+
+# Places in trees of the pipeline, by rows.
+MESH = "/0:0/0:0"
+SURFACE = MESH + "/0:0/0:0"
+SITES = MESH + "/0:0/2:0"
 
 
 def play_others(steps):
-    steps.filter("GaussMapEmbedding")
-    steps.type(PANEL + "/NumberOfPoints/LineEdit", "400")
-    steps.apply()
-    steps.state("embedding")
     steps.filter("AnisotropicRemesher")
     steps.type(SIZE + "/NumberOfPoints", "400")
     steps.apply()
     steps.filter("SurfaceMeshComparison")
-    steps.press(MAIN + "/xx")
+    steps.choose_input("Reference", MESH)
+    steps.apply()
+    steps.state("comparison")
+    steps.select(MESH)
+    steps.filter("RestrictedVoronoiDiagram")
+    steps.choose_input("Sites", SITES)
+    steps.type(ANISOTROPY, "0.03")
+    steps.apply()
+    steps.state("diagram")
+    steps.select(MESH)
+    steps.filter("GaussMapEmbedding")
+    steps.type(PANEL + "/NumberOfPoints/LineEdit0", "700")
+    steps.type(ANISOTROPY, "0.05")
+    steps.apply()
+    steps.state("embedding")
 
 
 def judge_others(judge):
-    pass
+    comparison = judge.read("comparison")
+    if comparison:
+        source = comparison["sources"]["SurfaceMeshComparison1"]
+        judge.equal("comparison, Input", source["Input"], REMESHER)
+        judge.equal("comparison, Reference", source["Reference"], "mesh.ply")
+        judge.equal("comparison, points", source["points"][:2], [400, 1800])
+        judge.visible("comparison", comparison, [("SurfaceMeshComparison1", 0)])
+    diagram = judge.read("diagram")
+    if diagram:
+        source = diagram["sources"]["RestrictedVoronoiDiagram1"]
+        judge.equal("diagram, Input", source["Input"], "mesh.ply")
+        judge.equal("diagram, Sites", source["Sites"], REMESHER)
+        judge.equal("diagram, Anisotropy", source["Anisotropy"], 0.03)
+        judge.equal("diagram, triangles", source["cells"][0], 800)
+        judge.visible("diagram", diagram,
+                      [("RestrictedVoronoiDiagram1", 0), ("SurfaceMeshComparison1", 0)])
+    embedding = judge.read("embedding")
+    if embedding:
+        source = embedding["sources"]["GaussMapEmbedding1"]
+        judge.equal("embedding, Number Of Points", source["NumberOfPoints"], 700)
+        judge.equal("embedding, Anisotropy", source["Anisotropy"], 0.05)
+        judge.equal("embedding, points", source["points"], [1800])
 
 
 SCENARIOS = {"Remesher": (play_remesher, judge_remesher),
