@@ -1,6 +1,6 @@
 """Presses the buttons of ParaView's real window, on a display of its own.
 
-TestWindow.py <paraview> <plugin.so> <folder> <scenario>
+TestWindow.py <paraview> <its version> <plugin.so> <folder> <scenario>
 
 The steps are played by ParaView's own test playback: it sends mouse and key events to widgets that
 it finds by name, so that neither fonts nor sizes matter, and it waits until the window is idle. A
@@ -31,8 +31,9 @@ TROUBLE = ("Traceback", "ERR|", "Couldn't find object", "Expecting", "In event '
 class Playback:
     """Steps in the window, written to a file that ParaView plays."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, version):
         self.folder = folder
+        self.version = tuple(int(number) for number in version.split("."))
         self.steps = []
 
     def event(self, widget, command, arguments=""):
@@ -106,6 +107,27 @@ class Playback:
                    os.path.join(self.folder, file))
         self.press("LoadStateOptionsDialog/widget/OKButton")
 
+    def animate(self, source, name):
+        """Add a track for a property, which the lists must offer."""
+        if self.version < (5, 12):
+            self.menu("menu_View", "Animation View")
+            tracks = MAIN + "/animationViewDock/animationView/pqAnimationWidget"
+            boxes = [tracks + "/CreateDeleteWidget/" + box for box in ("ProxyCombo", "PropertyCombo")]
+        else:
+            self.menu("menu_View", "Time Manager")
+            tracks = (MAIN + "/timeManagerDock/timeManagerPanel/timeline/1pqTimelineView0"
+                      "/qt_scrollarea_viewport/addTrackWidget")
+            boxes = [tracks + "/proxiesBox", tracks + "/propertiesBox"]
+        for box, text in zip(boxes, (source, name)):
+            self.event(box, "activated", text)
+            self.check(box, "currentText", text)
+        if self.version < (5, 12):
+            # The "+" is section 2 of a header, below the header's own and Time's.
+            for command in ("mousePress", "mouseRelease"):
+                self.event(tracks + "/1QHeaderView0", command, "1,1,0,0,0,2")
+        else:
+            self.press(tracks + "/addButton")
+
     def state(self, name, digests=()):
         """Have the window's Python shell write what there is."""
         values = {"name": name, "folder": self.folder, "digests": digests}
@@ -142,13 +164,12 @@ class Display:
             process.wait()
 
 
-def play(paraview, playback):
+def play(paraview, version, playback):
     """Play the steps. Returns the lines that tell of failures."""
     settings = os.path.join(playback.folder, "settings", "ParaView")
     os.makedirs(settings)
-    for version in ("5.11.0", "5.13.2"):
-        with open(os.path.join(settings, "ParaView%s.ini" % version), "w") as file:
-            file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+    with open(os.path.join(settings, "ParaView%s.ini" % version), "w") as file:
+        file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
     with Display() as display:
         environment = dict(display.environment, XDG_CONFIG_HOME=os.path.join(playback.folder, "settings"))
         process = subprocess.Popen(
@@ -240,6 +261,10 @@ class Judge:
         self.equal(name + ", active view", state["active_view"], "RenderView")
 
 
+# Places in trees of the pipeline, by rows.
+MESH = "/0:0/0:0"
+SURFACE = MESH + "/0:0/0:0"
+SITES = MESH + "/0:0/2:0"
 REMESHER = "AnisotropicRemesher1"
 
 
@@ -266,6 +291,9 @@ def play_remesher(steps):
     steps.press(MAIN + "/CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")
     steps.load_state("window.pvsm")
     steps.state("loaded", [REMESHER])
+    steps.select(MESH + "/0:0")
+    steps.press(PANEL + "/ConvergenceChart/Button")
+    steps.state("chart")
 
 
 def judge_remesher(judge):
@@ -286,20 +314,17 @@ def judge_remesher(judge):
     if redone and loaded:
         judge.equal("loaded", loaded["sources"][REMESHER], redone["sources"][REMESHER])
         judge.visible("loaded", loaded, [(REMESHER, 0)])
+    chart = judge.read("chart")
+    if chart:
+        judge.equal("chart, views", sorted(view["type"] for view in chart["views"].values()),
+                    ["RenderView", "XYChartView"])
 
 
 def play_animation(steps):
     steps.filter("AnisotropicRemesher")
     steps.type(SIZE + "/NumberOfPoints", "300")
     steps.apply()
-    steps.menu("menu_View", "Animation View")
-    tracks = MAIN + "/animationViewDock/animationView/pqAnimationWidget"
-    chooser = tracks + "/CreateDeleteWidget"
-    steps.event(chooser + "/ProxyCombo", "activated", REMESHER)
-    steps.event(chooser + "/PropertyCombo", "activated", "Number Of Points")
-    # The "+" is section 2 of a header, below the header's own and Time's.
-    for command in ("mousePress", "mouseRelease"):
-        steps.event(tracks + "/1QHeaderView0", command, "1,1,0,0,0,2")
+    steps.animate(REMESHER, "Number Of Points")
     steps.state("animation")
     for button, name in (("First", "First"), ("Next", ""), ("Next", "Second"), ("Last", "Last")):
         steps.press(MAIN + "/VCRToolbar/actionVCR%sFrame" % button)
@@ -320,12 +345,6 @@ def judge_animation(judge):
             counts.append(source["NumberOfPoints"])
     # From the least of the property's range to what it was, in 10 frames.
     judge.equal("animation, Number Of Points", counts, [4, 69, 300])
-
-
-# Places in trees of the pipeline, by rows.
-MESH = "/0:0/0:0"
-SURFACE = MESH + "/0:0/0:0"
-SITES = MESH + "/0:0/2:0"
 
 
 def play_others(steps):
@@ -380,17 +399,17 @@ SCENARIOS = {"Remesher": (play_remesher, judge_remesher),
              "Others": (play_others, judge_others)}
 
 
-def main(paraview, plugin, folder, scenario):
+def main(paraview, version, plugin, folder, scenario):
     folder = os.path.join(os.path.abspath(folder), "Window" + scenario)
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     write_mesh(os.path.join(folder, "mesh.ply"))
     press, judge = SCENARIOS[scenario]
-    steps = Playback(folder)
+    steps = Playback(folder, version)
     steps.load_plugin(plugin)
     steps.open("mesh.ply")
     press(steps)
-    failures = play(paraview, steps)
+    failures = play(paraview, version, steps)
     judge(Judge(folder, failures))
     for failure in failures:
         print("FAILED:", failure)
