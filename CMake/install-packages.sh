@@ -8,7 +8,7 @@ common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev python3 
 vtk="libvtk9-dev python3-vtk9"
 paraview="paraview paraview-dev dpkg-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
   libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev
-  libqt5svg5 qtbase5-dev qhelpgenerator-qt5"
+  libqt5svg5 qtbase5-dev qhelpgenerator-qt5 openbox"
 
 wanted=$common
 [ $# -gt 0 ] || set -- vtk paraview
