@@ -8,9 +8,6 @@
  * points, vertices and lines, and makes the orientation consistent where the surface is orientable.
  * Non-manifold edges, open borders and several components are accepted.
  *
- * The surface must be whole: where it is distributed over processes, each filter works on the
- * piece of its own process alone, and warns on those that have a piece other than the first.
- *
  * The surface is then embedded in R^d:
  * - `GAUSS_MAP` (d = 6): position and normal times `Anisotropy` times the bounding-box diagonal
  *   ([Levy12], section 3.2); with `Anisotropy` 0 or mode `POSITION`, position alone (d = 3);

@@ -30,8 +30,8 @@
  *   With a reference: cell arrays `NormalDeviation` (degrees, 0 to 180, between the triangle's
  *   normal and that of the reference's triangle closest to its centroid; of several that are
  *   equally close, the one that faces most alike; NaN for a triangle without area), `Flipped` (1
- *   where that is above 90), and point arrays `Distance` to the reference and `SignedDistance`
- *   (negative behind the reference, against its normals). What vtkAnisotropicRemesher tells as
+ *   where that is above 90), and point arrays `Distance` to the reference (the active scalars)
+ *   and `SignedDistance` (negative behind the reference, against its normals). What vtkAnisotropicRemesher tells as
  *   flipped or stray triangles is `Flipped`, as a rule.
  * - 1 `Reference`: the reference with the point arrays `Distance` to the mesh and `SignedDistance`,
  *   and unlike port 0 with all its cells as they are, also those that take no part, as ghost cells
@@ -73,8 +73,6 @@
  *
  * `NormalDeviation` and `Flipped` go by the order of the points of the triangles of both: they mean
  * something on a consistently oriented reference only (`ReferenceIsConsistentlyOriented`).
- *
- * Both surfaces must be whole: where they are distributed over processes, a warning tells so.
  *
  * An input that cannot be used is an error; an empty mesh gives empty outputs; an empty reference
  * is as none, with a warning.

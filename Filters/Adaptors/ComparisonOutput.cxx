@@ -229,6 +229,7 @@ void writeComparedMesh(vtkPolyData* input, const ComparedSurface& mesh,
     columns.add<vtkUnsignedCharArray>(
       "Flipped", [&](Offset t) { return static_cast<unsigned char>(degrees[t] > flippedDegrees); });
     addDistances(comparison.meshPoints, output);
+    output->GetPointData()->SetActiveScalars("Distance"); // what viewers then colour by
   }
 }
 
