@@ -88,7 +88,8 @@
 
 class vtkTable;
 
-class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkSurfaceMeshComparison : public vtkWholeSurfaceAlgorithm
+class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkSurfaceMeshComparison
+  : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkSurfaceMeshComparison* New();

@@ -41,7 +41,7 @@ Status checkPoints(const ComparedSurface& surface, const std::string& name)
   return Status::success();
 }
 
-/** Joins blocks, if there are any; nothing is merged within one. */
+/** Joins blocks, if there are any: points of others become the lowest one at their place. */
 void joinTriangles(vtkPolyData* input, ComparedSurface& surface)
 {
   auto* array = vtkIntArray::SafeDownCast(input->GetPointData()->GetAbstractArray(blockName));

@@ -91,6 +91,44 @@ std::vector<InBlock> findUses(
   return uses;
 }
 
+/** Makes the points, one for each vertex and then the copies; returns the point of each use. */
+std::vector<Index> makePoints(
+  const DiagramSource& source, const std::vector<InBlock>& uses, MeshBlocks& mesh)
+{
+  const std::vector<SurfaceLocation>& locations = source.result.locations;
+  const auto count = static_cast<Index>(locations.size());
+  std::vector<Index> points(uses.size());
+  mesh.locations = locations;
+  for (Index v = 0; v < count; ++v)
+  {
+    mesh.vertices.push_back(v);
+    mesh.pointBlocks.push_back(source.blockOfFacet(locations[v].facet));
+  }
+  for (std::size_t first = 0, end = 0; first < uses.size(); first = end)
+  {
+    const Index v = uses[first].first;
+    bool isHome = false;
+    for (end = first; end < uses.size() && uses[end].first == v; ++end)
+    {
+      isHome = isHome || uses[end].second == mesh.pointBlocks[v];
+    }
+    const int home = isHome ? mesh.pointBlocks[v] : uses[first].second;
+    mesh.pointBlocks[v] = home;
+    for (std::size_t k = first; k < end; ++k)
+    {
+      points[k] = v;
+      if (uses[k].second != home)
+      {
+        points[k] = static_cast<Index>(mesh.vertices.size());
+        mesh.vertices.push_back(v);
+        mesh.locations.push_back(locations[v]);
+        mesh.pointBlocks.push_back(uses[k].second);
+      }
+    }
+  }
+  return points;
+}
+
 /** Locations of points that lie on other blocks than they belong to. */
 void relocate(const DiagramSource& source, MeshBlocks& mesh)
 {
@@ -171,41 +209,11 @@ const int* blocksOfCells(vtkPolyData* input)
 
 MeshBlocks findMeshBlocks(const DiagramSource& source)
 {
-  const std::vector<SurfaceLocation>& locations = source.result.locations;
-  const auto count = static_cast<Index>(locations.size());
   MeshBlocks mesh;
   mesh.triangles = source.result.dual.triangles;
   mesh.triangleBlocks = findTriangleBlocks(source);
   const std::vector<InBlock> uses = findUses(mesh.triangles, mesh.triangleBlocks);
-  std::vector<Index> points(uses.size());
-  mesh.locations = locations;
-  for (Index v = 0; v < count; ++v)
-  {
-    mesh.vertices.push_back(v);
-    mesh.pointBlocks.push_back(source.blockOfFacet(locations[v].facet));
-  }
-  for (std::size_t first = 0, end = 0; first < uses.size(); first = end)
-  {
-    const Index v = uses[first].first;
-    bool isHome = false;
-    for (end = first; end < uses.size() && uses[end].first == v; ++end)
-    {
-      isHome = isHome || uses[end].second == mesh.pointBlocks[v];
-    }
-    const int home = isHome ? mesh.pointBlocks[v] : uses[first].second;
-    mesh.pointBlocks[v] = home;
-    for (std::size_t k = first; k < end; ++k)
-    {
-      points[k] = v;
-      if (uses[k].second != home)
-      {
-        points[k] = static_cast<Index>(mesh.vertices.size());
-        mesh.vertices.push_back(v);
-        mesh.locations.push_back(locations[v]);
-        mesh.pointBlocks.push_back(uses[k].second);
-      }
-    }
-  }
+  const std::vector<Index> points = makePoints(source, uses, mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     for (Index& id : mesh.triangles[t])
