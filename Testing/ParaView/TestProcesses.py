@@ -62,7 +62,8 @@ def run_inside():
 
     def show(name, source):
         for spread in (False, True):
-            remesher = simple.AnisotropicRemesher(Input=source, NumberOfPoints=200)
+            remesher = simple.AnisotropicRemesher(Input=source, NumberOfPoints=200,
+                                                  Normals=["POINTS", "None"])
             remesher.GetClientSideObject().SetDistributeOutputs(spread)
             remesher.UpdatePipeline()
             for port in range(5):
