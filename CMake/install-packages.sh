@@ -2,6 +2,7 @@
 # install-packages.sh [vtk] [paraview]: installs the Debian packages that the VTK build, the
 # ParaView build or (default) both need. Needs root or sudo, and the network, only if one is
 # missing. python3-paraview is not among them: see paraview-prefix.sh.
+# Knows Debian 12 (bookworm), 13 (trixie) and sid, and what Ubuntu made of them.
 set -e
 common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev python3 python3-numpy
   xvfb xauth"
@@ -10,13 +11,20 @@ paraview="paraview paraview-dev dpkg-dev python3-mpi4py mpi-default-dev libdoubl
   libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev
   libqt5svg5 qtbase5-dev qhelpgenerator-qt5 openbox"
 
+# The Qt of ParaView's window: 5 until ParaView 5.11, then 6.
+release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+case $release in
+  bookworm | noble) paraview="$paraview qtbase5-dev qhelpgenerator-qt5 libqt5svg5" ;;
+  *) paraview="$paraview qt6-base-dev qt6-documentation-tools qt6-svg-plugins" ;;
+esac
+
 wanted=$common
 [ $# -gt 0 ] || set -- vtk paraview
 for build; do
   case $build in
     vtk) wanted="$wanted $vtk" ;;
     paraview) wanted="$wanted $paraview" ;;
-    *) sed -n "2,4s/^# //p" "$0" >&2; exit 2 ;;
+    *) sed -n "2,5s/^# //p" "$0" >&2; exit 2 ;;
   esac
 done
 

@@ -14,12 +14,7 @@ endfunction ()
 
 run("${CMAKE_COMMAND}" --install "${build}" --prefix "${prefix}")
 
-set(options)
-if (paraview_dir)
-  list(APPEND options "-DParaView_DIR=${paraview_dir}")
-else ()
-  list(APPEND options "-DVTK_DIR=${vtk_dir}")
-endif ()
+set(options "-DVTK_DIR=${vtk_dir}")
 if (python)
   list(APPEND options "-DPython3_EXECUTABLE=${python}")
 endif ()
@@ -29,7 +24,6 @@ run("${CMAKE_COMMAND}" --build "${consumer}")
 run("${consumer}/consumer")
 
 if (python)
-  # The installed package first, then (for ParaView) the VTK it was built with.
-  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${python_destination}:${python_path}"
+  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${python_destination}"
     "${python}" "${CMAKE_CURRENT_LIST_DIR}/check_import.py" "${prefix}")
 endif ()
