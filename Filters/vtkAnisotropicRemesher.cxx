@@ -58,10 +58,9 @@ remesh::Status vtkAnisotropicRemesher::CheckParameters()
   return check.status().ok() ? this->Superclass::CheckParameters() : check.status();
 }
 
-int vtkAnisotropicRemesher::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkAnisotropicRemesher::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->LastRun = {}; // an error does not leave facts of an earlier run
   vtkPointSet* initialSites = vtkPointSet::GetData(inputVector[1]);
   const bool isTolerance = this->DistanceTolerance > 0.0 && !initialSites;
   const vtkIdType points = initialSites ? initialSites->GetNumberOfPoints()

@@ -273,7 +273,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   remesh::Status CheckParameters() override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkAnisotropicRemesher(const vtkAnisotropicRemesher&) = delete;

@@ -26,14 +26,9 @@ vtkEmbeddedSurfaceAlgorithm::vtkEmbeddedSurfaceAlgorithm()
 
 vtkEmbeddedSurfaceAlgorithm::~vtkEmbeddedSurfaceAlgorithm() = default;
 
-int vtkEmbeddedSurfaceAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+void vtkEmbeddedSurfaceAlgorithm::ForgetLastRun()
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    return 1;
-  }
-  return 0;
+  this->Internals->LastRun = {};
 }
 
 void vtkEmbeddedSurfaceAlgorithm::AddCoordinateArray(const char* name, double scale)

@@ -2,11 +2,11 @@
  * @class   vtkEmbeddedSurfaceAlgorithm
  * @brief   What all filters on embedded surfaces share: intake, embedding and threads.
  *
- * The input is any vtkPolyData with polygons or triangle strips. Intake cuts polygons into
- * triangles (quadrilaterals along the shorter diagonal), merges coincident points, drops
- * degenerate and duplicate triangles, ignores unused points, vertices and lines, and makes the
- * orientation consistent where the surface is orientable. Non-manifold edges, open borders and
- * several components are accepted.
+ * The input is a surface of polygons or triangle strips, also of several blocks or as a grid (see
+ * vtkWholeSurfaceAlgorithm). Intake cuts polygons into triangles (quadrilaterals along the shorter
+ * diagonal), merges coincident points, drops degenerate and duplicate triangles, ignores unused
+ * points, vertices and lines, and makes the orientation consistent where the surface is orientable.
+ * Non-manifold edges, open borders and several components are accepted.
  *
  * The surface must be whole: where it is distributed over processes, each filter works on the
  * piece of its own process alone, and warns on those that have a piece other than the first.
@@ -35,7 +35,7 @@
 #define vtkEmbeddedSurfaceAlgorithm_h
 
 #include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
@@ -45,10 +45,10 @@ struct Status;
 }
 
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkEmbeddedSurfaceAlgorithm
-  : public vtkPolyDataAlgorithm
+  : public vtkWholeSurfaceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkEmbeddedSurfaceAlgorithm, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkEmbeddedSurfaceAlgorithm, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum EmbeddingModes
@@ -189,7 +189,7 @@ protected:
   vtkEmbeddedSurfaceAlgorithm();
   ~vtkEmbeddedSurfaceAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ForgetLastRun() override;
 
   /** The first parameter that is out of its range, as an error; asked before each execution. */
   virtual remesh::Status CheckParameters();

@@ -20,6 +20,11 @@ vtkStandardNewMacro(vtkGaussMapEmbedding);
 vtkGaussMapEmbedding::vtkGaussMapEmbedding() = default;
 vtkGaussMapEmbedding::~vtkGaussMapEmbedding() = default;
 
+bool vtkGaussMapEmbedding::PassesInput(int) const
+{
+  return true;
+}
+
 namespace
 {
 /** One tuple per input point: its corner's, or its position and zeros where it has none. */
@@ -53,13 +58,12 @@ remesh::Status vtkGaussMapEmbedding::CheckParameters()
   return check.status().ok() ? this->Superclass::CheckParameters() : check.status();
 }
 
-int vtkGaussMapEmbedding::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkGaussMapEmbedding::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   auto& facts = this->Internals->LastRun;
-  facts = {};
   remesh::PreparedSurface prepared;
   remesh::PreparationRequest request;
   const auto outcome = vtkInternals::Execute(this, outputVector,

@@ -58,7 +58,8 @@ protected:
   ~vtkGaussMapEmbedding() override;
 
   remesh::Status CheckParameters() override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool PassesInput(int outputPort) const override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkGaussMapEmbedding(const vtkGaussMapEmbedding&) = delete;

@@ -4,6 +4,7 @@
 
 #include "Adaptors/DiagramOutput.h"
 #include "Adaptors/Distribution.h"
+#include "Adaptors/MeshBlocks.h"
 #include "Adaptors/NumberRun.h"
 #include "Adaptors/ParameterCheck.h"
 #include "Adaptors/ProgressAdaptor.h"
@@ -35,20 +36,19 @@ vtkRestrictedVoronoiAlgorithm::vtkRestrictedVoronoiAlgorithm()
 
 vtkRestrictedVoronoiAlgorithm::~vtkRestrictedVoronoiAlgorithm() = default;
 
-int vtkRestrictedVoronoiAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+bool vtkRestrictedVoronoiAlgorithm::TakesPoints(int inputPort) const
 {
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
+  return inputPort == 1;
 }
 
 int vtkRestrictedVoronoiAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == CONVERGENCE ? "vtkTable" : "vtkPolyData");
-  return 1;
+  if (port == CONVERGENCE)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
 }
 
 remesh::Status vtkRestrictedVoronoiAlgorithm::CheckParameters()
@@ -216,13 +216,12 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   vtkInformationVector* outputVector, remesh::RemeshOptions& options, vtkPointSet* sites, int seed)
 {
   auto& facts = this->Internals->LastRun;
-  facts = {};
   const remesh::RunControl control = remesh::makeRunControl(this);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   remesh::NumberOutcome outcome;
   remesh::PreparedSurface& prepared = outcome.prepared;
   const remesh::DiagramSource source{ input, prepared, outcome.result, outcome.given.places, seed,
-    control.silent() };
+    control.silent(), remesh::blocksOfCells(input) };
   const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
     this->MaximumCellEmbeddingDimension };
   const bool writesDiagram =

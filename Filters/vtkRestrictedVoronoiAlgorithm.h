@@ -175,7 +175,10 @@ public:
   ///@}
 
   ///@{
-  /** The outputs by name; port 0 is GetOutput(). */
+  /**
+   * The outputs by name; port 0 is GetOutput(). nullptr for composite input, but for the table: see
+   * GetOutputDataObject().
+   */
   vtkPolyData* GetVoronoiCellsOutput();
   vtkPolyData* GetSitesOutput();
   vtkTable* GetConvergenceOutput();
@@ -213,8 +216,8 @@ protected:
   vtkRestrictedVoronoiAlgorithm();
   ~vtkRestrictedVoronoiAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool TakesPoints(int inputPort) const override;
 
   remesh::Status CheckParameters() override;
 

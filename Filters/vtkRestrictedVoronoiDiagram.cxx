@@ -21,8 +21,8 @@ void vtkRestrictedVoronoiDiagram::SetSitesData(vtkDataObject* sites)
   this->SetInputData(1, sites);
 }
 
-int vtkRestrictedVoronoiDiagram::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkRestrictedVoronoiDiagram::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   remesh::RemeshOptions options;
   options.optimize = false;

@@ -54,7 +54,7 @@ protected:
   vtkRestrictedVoronoiDiagram();
   ~vtkRestrictedVoronoiDiagram() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkRestrictedVoronoiDiagram(const vtkRestrictedVoronoiDiagram&) = delete;

@@ -102,22 +102,35 @@ vtkTable* vtkSurfaceMeshComparison::GetHistogramsOutput()
 
 int vtkSurfaceMeshComparison::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
-  return 1;
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkSurfaceMeshComparison::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= SUMMARY ? "vtkTable" : "vtkPolyData");
-  return 1;
+  if (port >= SUMMARY)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
 }
 
-int vtkSurfaceMeshComparison::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkSurfaceMeshComparison::GetStructurePort(int outputPort) const
+{
+  return outputPort == REFERENCE ? 1 : 0;
+}
+
+bool vtkSurfaceMeshComparison::PassesInput(int outputPort) const
+{
+  return outputPort == REFERENCE;
+}
+
+int vtkSurfaceMeshComparison::RequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   remesh::ParameterCheck check;
   check.within("NumberOfSamples", this->NumberOfSamples, 1, 1000000000)

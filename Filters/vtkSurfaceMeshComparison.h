@@ -86,15 +86,15 @@
 #define vtkSurfaceMeshComparison_h
 
 #include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
 class vtkTable;
 
-class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkSurfaceMeshComparison : public vtkPolyDataAlgorithm
+class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkSurfaceMeshComparison : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkSurfaceMeshComparison* New();
-  vtkTypeMacro(vtkSurfaceMeshComparison, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSurfaceMeshComparison, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum OutputPorts
@@ -176,7 +176,9 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int GetStructurePort(int outputPort) const override;
+  bool PassesInput(int outputPort) const override;
+  int RequestWhole(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkSurfaceMeshComparison(const vtkSurfaceMeshComparison&) = delete;

@@ -329,7 +329,8 @@ Options ParseCommandLine(const std::vector<std::string>& arguments)
     }
     const std::size_t sign = argument.find('=');
     const bool attached = sign != std::string::npos;
-    const Option& option = FindOption(argument == "-h" ? "--help" : argument.substr(0, sign));
+    const std::string name = argument == "-h" ? "--help" : argument.substr(0, sign);
+    const Option& option = FindOption(name);
     std::string value = attached ? argument.substr(sign + 1) : std::string();
     if (option.Value.empty() && attached)
     {

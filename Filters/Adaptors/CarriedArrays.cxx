@@ -1,5 +1,7 @@
 #include "Adaptors/CarriedArrays.h"
 
+#include "Adaptors/BlockNames.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkLookupTable.h"
@@ -12,31 +14,6 @@ namespace remesh
 {
 namespace
 {
-/** An array like another one, with room for so many tuples. */
-vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* source, Offset tuples)
-{
-  // Only the plain layout can be written to for certain.
-  vtkAbstractArray* made = source->HasStandardMemoryLayout()
-    ? source->NewInstance()
-    : vtkAbstractArray::CreateArray(source->GetDataType());
-  auto target = vtk::TakeSmartPointer(made);
-  target->SetName(source->GetName());
-  target->SetNumberOfComponents(source->GetNumberOfComponents());
-  target->CopyComponentNames(source);
-  target->SetNumberOfTuples(tuples);
-  if (source->HasInformation())
-  {
-    target->CopyInformation(source->GetInformation(), 1);
-  }
-  auto* from = vtkDataArray::SafeDownCast(source);
-  auto* to = vtkDataArray::SafeDownCast(target);
-  if (from && to && from->GetLookupTable())
-  {
-    to->SetLookupTable(from->GetLookupTable());
-  }
-  return target;
-}
-
 std::string nameOf(vtkAbstractArray* array)
 {
   return array->GetName() ? array->GetName() : "";
@@ -74,6 +51,30 @@ std::string join(const std::vector<std::string>& names)
 }
 }
 
+vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* source, Offset tuples)
+{
+  // Only the plain layout can be written to for certain.
+  vtkAbstractArray* made = source->HasStandardMemoryLayout()
+    ? source->NewInstance()
+    : vtkAbstractArray::CreateArray(source->GetDataType());
+  auto target = vtk::TakeSmartPointer(made);
+  target->SetName(source->GetName());
+  target->SetNumberOfComponents(source->GetNumberOfComponents());
+  target->CopyComponentNames(source);
+  target->SetNumberOfTuples(tuples);
+  if (source->HasInformation())
+  {
+    target->CopyInformation(source->GetInformation(), 1);
+  }
+  auto* from = vtkDataArray::SafeDownCast(source);
+  auto* to = vtkDataArray::SafeDownCast(target);
+  if (from && to && from->GetLookupTable())
+  {
+    to->SetLookupTable(from->GetLookupTable());
+  }
+  return target;
+}
+
 std::string LostArrays::describe() const
 {
   std::string text;
@@ -101,9 +102,9 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
   for (int k = 0; k < input->GetNumberOfArrays(); ++k)
   {
     vtkAbstractArray* array = input->GetAbstractArray(k);
-    const std::string name = nameOf(array);
+    const std::string name = plainName(nameOf(array));
     std::vector<int> attributes = attributesOf(input, k);
-    if (name == vtkDataSetAttributes::GhostArrayName() ||
+    if (isHidden(name) || name == vtkDataSetAttributes::GhostArrayName() ||
       contains(attributes, vtkDataSetAttributes::GLOBALIDS))
     {
       continue;

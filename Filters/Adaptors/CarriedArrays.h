@@ -49,6 +49,9 @@ struct OwnArrays
   std::vector<vtkAbstractArray*> replaced;
 };
 
+/** An array like another one, with room for so many tuples. */
+vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* source, Offset tuples);
+
 /**
  * Empty arrays on the mesh for those of the input that are carried.
  *
@@ -59,21 +62,29 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
   const OwnArrays& own, Offset tuples, vtkDataSetAttributes* output, LostArrays& lost);
 
 /**
- * Point arrays at each vertex's place on the input: floating-point arrays are interpolated linearly
- * (the active normals are then made unit vectors again), and so are colours, unsigned char arrays
- * of 3 or 4 components, to the nearest whole number. All others (integers, ids, bits, strings) may
- * be labels: they take the value of the corner with the largest weight, of equal ones that of the
- * lowest id. O(vertices x components), in parallel.
+ * Point arrays at places on the input, one for each point of the output: floating-point arrays are
+ * interpolated linearly (the active normals are then made unit vectors again), and so are colours,
+ * unsigned char arrays of 3 or 4 components, to the nearest whole number. All others (integers,
+ * ids, bits, strings) may be labels: they take the value of the corner with the largest weight, of
+ * equal ones that of the first along the surface's Hilbert curve. O(vertices x components), in
+ * parallel.
  */
-void carryPointArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost);
+void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
+  vtkPolyData* output, LostArrays& lost);
 
 /**
  * Cell arrays: each triangle takes the value that covers most of it (TriangleCover), where cells of
- * equal values count together; of equal shares, that of the lowest cell id. Values are never mixed,
+ * equal values count together; of equal shares, the lowest value. Values are never mixed,
  * so that labels stay labels. O(vertices of the pieces), in parallel, and only where the values
  * around a triangle differ.
+ *
+ * @param blocks of the triangles: other blocks' cells have no say; empty: there are none.
  */
-void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost);
+void carryCellArrays(const DiagramSource& source, const std::vector<int>& blocks,
+  vtkPolyData* output, LostArrays& lost);
+
+/** The block that covers most of each triangle; of equal ones, the lowest. */
+std::vector<int> findTriangleBlocks(const DiagramSource& source);
 
 /**
  * Field data: the arrays themselves, but those named like facts of the mesh, which is to have its

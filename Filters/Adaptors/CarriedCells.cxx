@@ -5,7 +5,7 @@
  * 1. The input's cells under the pieces of its three cells; where an array has one value on all of
  *    them, that is it.
  * 2. Else the area of each such cell under the triangle, and for each array the sum of the areas
- *    with equal values, in the order of the cells' ids.
+ *    with equal values, in the order of the surface's facets.
  * All that is kept is, for each array and triangle, a cell that has the value.
  */
 #include "Adaptors/ArrayHelpers.h"
@@ -26,7 +26,7 @@ struct CellShare
   double area;
 };
 
-/** The value with the largest area, as the lowest cell that has it. */
+/** The value with the largest area, the lowest of equal ones, as a cell that has it. */
 vtkIdType chooseCell(
   const std::vector<CellShare>& shares, const CellOrder& order, std::vector<CellShare>& scratch)
 {
@@ -48,35 +48,32 @@ vtkIdType chooseCell(
     }
     largest = std::max(largest, scratch[groups - 1].area);
   }
-  vtkIdType best = -1;
-  for (std::size_t k = 0; k < groups; ++k)
+  std::size_t best = 0;
+  while (best + 1 < groups && !(scratch[best].area >= equal * largest))
   {
-    if (scratch[k].area >= equal * largest && (best < 0 || scratch[k].cell < best))
-    {
-      best = scratch[k].cell;
-    }
+    ++best;
   }
-  return best;
+  return groups > 0 ? scratch[best].cell : -1;
 }
 
 /** Finds the cells whose values the triangles of one block take; one per block. */
 class CellChooser
 {
 public:
-  CellChooser(const DiagramSource& source, vtkPolyData* mesh, const std::vector<CellOrder>& orders)
+  CellChooser(const DiagramSource& source, const std::vector<CellOrder>& orders)
     : Source(source)
-    , Corners(vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData())->GetPointer(0))
     , Orders(orders)
     , Cover{ source.prepared.mesh, source.result.components,
       { source.surface(), source.result.sites, source.result.diagram } }
   {
   }
 
-  /** Calls `choose(array, cell)` for each array. */
+  /** Calls `choose(array, cell)` for each array; with a block, only its cells count. */
   template <class Choose>
-  void Run(const Triple& triangle, const Choose& choose)
+  void Run(const Triple& triangle, const int* block, const Choose& choose)
   {
     this->FindCells(triangle);
+    this->KeepBlock(block, this->Cells, [](vtkIdType cell) { return cell; });
     bool measured = false;
     for (std::size_t array = 0; array < this->Orders.size(); ++array)
     {
@@ -87,6 +84,7 @@ public:
       if (!isUniform && !measured)
       {
         this->Measure(triangle);
+        this->KeepBlock(block, this->Shares, [](const CellShare& share) { return share.cell; });
         measured = true;
       }
       choose(array, isUniform ? first : chooseCell(this->Shares, order, this->Scratch));
@@ -111,12 +109,24 @@ private:
     this->Cells.erase(std::unique(this->Cells.begin(), this->Cells.end()), this->Cells.end());
   }
 
+  template <class Items, class CellOfItem>
+  void KeepBlock(const int* block, Items& items, const CellOfItem& cellOf) const
+  {
+    if (block)
+    {
+      items.erase(
+        std::remove_if(items.begin(), items.end(),
+          [&](const auto& item) { return this->Source.cellBlocks[cellOf(item)] != *block; }),
+        items.end());
+    }
+  }
+
   void Measure(const Triple& triangle)
   {
     std::array<Point3, 3> corners;
     for (int k = 0; k < 3; ++k)
     {
-      corners[k] = Point3::Map(this->Corners + 3 * static_cast<std::size_t>(triangle[k]));
+      corners[k] = this->Source.result.placement.positions[triangle[k]];
     }
     this->Cover.measure(triangle, corners, this->Parts);
     this->Shares.clear();
@@ -124,22 +134,20 @@ private:
     {
       this->Shares.push_back({ this->CellOf(part.facet), part.area });
     }
-    std::stable_sort(this->Shares.begin(), this->Shares.end(),
-      [](const CellShare& a, const CellShare& b) { return a.cell < b.cell; });
   }
 
   const DiagramSource& Source;
-  const double* Corners;
   const std::vector<CellOrder>& Orders;
   TriangleCover Cover;
   std::vector<vtkIdType> Cells;
   std::vector<CoverPart> Parts;
-  std::vector<CellShare> Shares; ///< by cell, which may come several times
+  std::vector<CellShare> Shares; ///< a cell may come several times
   std::vector<CellShare> Scratch;
 };
 }
 
-void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost)
+void carryCellArrays(const DiagramSource& source, const std::vector<int>& blocks,
+  vtkPolyData* output, LostArrays& lost)
 {
   const std::vector<Triple>& triangles = source.result.dual.triangles;
   const auto count = static_cast<Offset>(triangles.size());
@@ -161,16 +169,37 @@ void carryCellArrays(const DiagramSource& source, vtkPolyData* output, LostArray
   const bool done = forEachRange(Blocks::cut(count, 256, 4096), source.control,
     [&](Offset begin, Offset end)
     {
-      CellChooser chooser(source, output, orders);
+      CellChooser chooser(source, orders);
       for (Offset t = begin; t < end; ++t)
       {
-        chooser.Run(
-          triangles[t], [&](std::size_t array, vtkIdType cell) { chosen[array][t] = cell; });
+        chooser.Run(triangles[t], blocks.empty() ? nullptr : &blocks[t],
+          [&](std::size_t array, vtkIdType cell) { chosen[array][t] = cell; });
       }
     });
   for (std::size_t k = 0; done && k < arrays.size(); ++k)
   {
     arrays[k].source->GetTuples(cells[k], arrays[k].target);
   }
+}
+
+std::vector<int> findTriangleBlocks(const DiagramSource& source)
+{
+  const std::vector<Triple>& triangles = source.result.dual.triangles;
+  const int* cellBlocks = source.cellBlocks;
+  const std::vector<CellOrder> orders{ [cellBlocks](vtkIdType a, vtkIdType b)
+    { return cellBlocks[a] - cellBlocks[b]; } };
+  std::vector<int> blocks(triangles.size(), 0);
+  static_cast<void>(
+    forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 256, 4096), source.control,
+      [&](Offset begin, Offset end)
+      {
+        CellChooser chooser(source, orders);
+        for (Offset t = begin; t < end; ++t)
+        {
+          chooser.Run(triangles[t], nullptr,
+            [&](std::size_t, vtkIdType cell) { blocks[t] = cellBlocks[cell]; });
+        }
+      }));
+  return blocks;
 }
 }

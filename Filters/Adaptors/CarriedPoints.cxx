@@ -20,16 +20,17 @@ struct Corners
   const double* weights;
   int nearest; ///< of the largest weight
 
-  Corners(const DiagramSource& source, Offset vertex)
-    : points(source.prepared.mesh.facetInputPoints[source.result.locations[vertex].facet])
-    , weights(source.result.locations[vertex].b)
+  Corners(const DiagramSource& source, const SurfaceLocation& place)
+    : points(source.prepared.mesh.facetInputPoints[place.facet])
+    , weights(place.b)
     , nearest(0)
   {
+    const Triple& ranks = source.prepared.mesh.facetPoints[place.facet];
     for (const int k : { 1, 2 })
     {
       const bool equal = this->weights[k] == this->weights[this->nearest];
       if (this->weights[k] > this->weights[this->nearest] ||
-        (equal && this->points[k] < this->points[this->nearest]))
+        (equal && ranks[k] < ranks[this->nearest]))
       {
         this->nearest = k;
       }
@@ -74,6 +75,7 @@ void normalize(Tuple tuple)
 struct Interpolate
 {
   const DiagramSource& source;
+  const std::vector<SurfaceLocation>& places;
   bool areNormals;
 
   template <class From, class To>
@@ -86,7 +88,7 @@ struct Interpolate
     fillItems(to->GetNumberOfTuples(), this->source.control,
       [&](Offset vertex)
       {
-        const Corners corners(this->source, vertex);
+        const Corners corners(this->source, this->places[vertex]);
         auto tuple = tuplesTo[vertex];
         for (int c = 0; c < components; ++c)
         {
@@ -112,7 +114,8 @@ bool hasMeans(vtkAbstractArray* array)
 }
 
 /** The interpolated values of an array; false if this kind of array has none. */
-bool interpolateArray(const DiagramSource& source, const CarriedArray& array)
+bool interpolateArray(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
+  const CarriedArray& array)
 {
   auto* from = vtkDataArray::SafeDownCast(array.source);
   auto* to = vtkDataArray::SafeDownCast(array.target);
@@ -124,7 +127,7 @@ bool interpolateArray(const DiagramSource& source, const CarriedArray& array)
   using Dispatcher = vtkArrayDispatch::Dispatch2BySameValueType<Types>;
   const bool areNormals =
     array.is(vtkDataSetAttributes::NORMALS) && from->GetNumberOfComponents() == 3;
-  const Interpolate work{ source, areNormals };
+  const Interpolate work{ source, places, areNormals };
   if (!Dispatcher::Execute(from, to, work))
   {
     work(from, to); // a layout that the dispatcher does not know
@@ -133,16 +136,17 @@ bool interpolateArray(const DiagramSource& source, const CarriedArray& array)
 }
 }
 
-void carryPointArrays(const DiagramSource& source, vtkPolyData* output, LostArrays& lost)
+void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
+  vtkPolyData* output, LostArrays& lost)
 {
-  const auto count = static_cast<Offset>(source.result.locations.size());
+  const auto count = static_cast<Offset>(places.size());
   const std::vector<CarriedArray> arrays =
     makeCarriedArrays(source.input->GetPointData(), source.input->GetNumberOfPoints(),
       OwnArrays{ meshPointNames, source.prepared.usedArrays }, count, output->GetPointData(), lost);
   vtkNew<vtkIdList> nearest;
   for (const CarriedArray& array : arrays)
   {
-    if (interpolateArray(source, array))
+    if (interpolateArray(source, places, array))
     {
       continue;
     }
@@ -151,7 +155,7 @@ void carryPointArrays(const DiagramSource& source, vtkPolyData* output, LostArra
       nearest->SetNumberOfIds(count);
       vtkIdType* ids = nearest->GetPointer(0);
       fillItems(count, source.control,
-        [&](Offset vertex) { ids[vertex] = Corners(source, vertex).nearestPoint(); });
+        [&](Offset vertex) { ids[vertex] = Corners(source, places[vertex]).nearestPoint(); });
     }
     if (!source.control.cancelled())
     {

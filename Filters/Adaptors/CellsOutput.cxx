@@ -1,7 +1,9 @@
 #include "Adaptors/ArrayHelpers.h"
+#include "Adaptors/BlockNames.h"
 #include "Adaptors/DiagramOutput.h"
 
 #include "vtkCellData.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 
 namespace remesh
@@ -134,9 +136,19 @@ void addPieceArrays(const DiagramSource& source, const DrawnPieces& drawn, vtkCe
     [&](Offset polygon) { return components.ranks[components.ofPiece[drawn[polygon]]]; });
   columns.add<vtkIdTypeArray>(
     "PatchId", [&](Offset polygon) { return source.patchOfFacet(diagram.facets[drawn[polygon]]); });
+  auto* cellIds =
+    vtkIdTypeArray::SafeDownCast(source.input->GetCellData()->GetAbstractArray(blockCellName));
   columns.add<vtkIdTypeArray>("InputCellId",
     [&](Offset polygon)
-    { return source.prepared.mesh.facetInputCells[diagram.facets[drawn[polygon]]]; });
+    {
+      const Offset cell = source.prepared.mesh.facetInputCells[diagram.facets[drawn[polygon]]];
+      return cellIds ? cellIds->GetValue(cell) : cell;
+    });
+  if (source.cellBlocks)
+  {
+    columns.add<vtkIntArray>(blockName,
+      [&](Offset polygon) { return source.blockOfFacet(diagram.facets[drawn[polygon]]); });
+  }
   columns.add<vtkIntArray>(
     "CellColor", [&](Offset polygon) { return source.result.cellColors[site(polygon)]; });
   data->SetActiveScalars("CellColor"); // what viewers then colour by
@@ -164,7 +176,23 @@ enum EdgeType
   NonManifold = 3
 };
 
-/** What the edge that starts at a vertex of a piece is drawn as; each edge is drawn once. */
+/** Whether a facet is the first at an edge among those of its block. */
+bool isFirst(const DiagramSource& source, const EdgeTable& edges, Index edge, Index facet)
+{
+  for (Offset k = edges.edgeFacetsBegin[edge];; ++k)
+  {
+    const Index other = edges.edgeFacets[k];
+    if (other == facet || source.blockOfFacet(other) == source.blockOfFacet(facet))
+    {
+      return other == facet;
+    }
+  }
+}
+
+/**
+ * What the edge that starts at a vertex of a piece is drawn as; each edge is drawn once, in each
+ * block at it.
+ */
 EdgeType typeOf(const DiagramSource& source, const EdgeTable& cutEdges, Offset piece, Index across)
 {
   const Diagram& diagram = source.result.diagram;
@@ -176,7 +204,7 @@ EdgeType typeOf(const DiagramSource& source, const EdgeTable& cutEdges, Offset p
   }
   const Index facet = diagram.facets[piece];
   const Index edge = edges.facetEdges[facet][-1 - across];
-  const bool first = edges.edgeFacets[edges.edgeFacetsBegin[edge]] == facet;
+  const bool first = isFirst(source, edges, edge, facet);
   if (first && features && features->kinds[edge] == FeatureKind::Crease)
   {
     return Feature;
@@ -271,6 +299,7 @@ void writeEdges(const DiagramSource& source, const EdgeTable& edges, const Diagr
   vtkIdType* ends = nullptr;
   vtkIdType* types = nullptr;
   vtkIdType* sites = nullptr;
+  int* blocks = nullptr;
   vtkNew<vtkIdTypeArray> connectivity;
   vtkNew<vtkIdTypeArray> offsets;
   forEachLine(
@@ -281,6 +310,10 @@ void writeEdges(const DiagramSource& source, const EdgeTable& edges, const Diagr
       types = columns.addEmpty<vtkIdTypeArray>("EdgeType", 1)->GetPointer(0);
       sites = columns.addEmpty<vtkIdTypeArray>("SiteId", 2)->GetPointer(0);
       output->GetCellData()->SetActiveScalars("EdgeType"); // what viewers then colour by
+      if (source.cellBlocks)
+      {
+        blocks = columns.addEmpty<vtkIntArray>(blockName, 1)->GetPointer(0);
+      }
       connectivity->SetNumberOfValues(2 * count);
       ends = connectivity->GetPointer(0);
       offsets->SetNumberOfValues(count + 1);
@@ -293,6 +326,10 @@ void writeEdges(const DiagramSource& source, const EdgeTable& edges, const Diagr
       types[line] = type;
       sites[2 * line] = diagram.sites[piece];
       sites[2 * line + 1] = across < 0 ? -1 : across;
+      if (blocks)
+      {
+        blocks[line] = source.blockOfFacet(diagram.facets[piece]);
+      }
     });
   for (vtkIdType line = 0; line < offsets->GetNumberOfValues(); ++line)
   {

@@ -1,5 +1,7 @@
 #include "Adaptors/ChosenArrays.h"
 
+#include "Adaptors/BlockNames.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -23,6 +25,20 @@ int attributeOf(vtkInformation* choice)
   }
   const int attribute = choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
   return attribute < vtkDataSetAttributes::NUM_ATTRIBUTES ? attribute : -1;
+}
+
+/** Whether some blocks of the input have an array of the name. */
+bool isInSomeBlocks(vtkDataSetAttributes* data, const std::string& name)
+{
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    const char* own = data->GetArrayName(k);
+    if (own && isPartial(own) && plainName(own) == name)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** What is chosen among the points' or cells' arrays; fails where another kind of array is. */
@@ -57,6 +73,11 @@ Status findArray(vtkInformation* choice, vtkPolyData* input, int association, co
   }
   array = nullptr;
   const std::string numeric = ofPoints ? "numeric " : "";
+  if (attribute < 0 && isInSomeBlocks(data, name))
+  {
+    return Status::invalid("Not all blocks of the input have the " + kind + " " + what + chosen +
+      ", with the same type and number of components.");
+  }
   return Status::invalid(attribute < 0
       ? "The input has no " + numeric + kind + " " + what + chosen + "."
       : "The input's " + kind + "s have no " + numeric + what + chosen + ".");

@@ -22,8 +22,14 @@ struct ComparedSurface
   std::vector<Point3> points;     ///< P, the input's
   std::vector<Triple> triangles;  ///< T x 3, ids into `points`
   std::vector<Offset> inputCells; ///< T
+  /** With blocks: T x 3, on the lowest of points with equal coordinates in different blocks. */
+  std::vector<Triple> joined;
 
-  Triangles view() const { return { this->points, this->triangles }; }
+  /** Blocks that touch are one surface. */
+  Triangles view() const
+  {
+    return { this->points, this->joined.empty() ? this->triangles : this->joined };
+  }
 };
 
 /**

@@ -1,7 +1,13 @@
 #include "Adaptors/ComparisonData.h"
 
+#include "Adaptors/BlockNames.h"
 #include "Adaptors/SurfaceIntake.h"
 #include "Mesh/Intake.h"
+#include "Mesh/Weld.h"
+
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 namespace remesh
 {
@@ -33,6 +39,31 @@ Status checkPoints(const ComparedSurface& surface, const std::string& name)
       " is too small: its extent is below 1e-50. Scale it up, both surfaces alike.");
   }
   return Status::success();
+}
+
+/** Joins blocks, if there are any; nothing is merged within one. */
+void joinTriangles(vtkPolyData* input, ComparedSurface& surface)
+{
+  auto* array = vtkIntArray::SafeDownCast(input->GetPointData()->GetAbstractArray(blockName));
+  if (!array)
+  {
+    return;
+  }
+  const int* blocks = array->GetPointer(0);
+  std::vector<Point3> points = surface.points;
+  for (Point3& point : points)
+  {
+    point = point.allFinite() ? point : Point3::Zero(); // no triangle uses it
+  }
+  const std::vector<Index> lowest = weldEqualPoints(points);
+  surface.joined = surface.triangles;
+  for (Triple& triangle : surface.joined)
+  {
+    for (Index& id : triangle)
+    {
+      id = blocks[lowest[id]] == blocks[id] ? id : lowest[id];
+    }
+  }
 }
 }
 
@@ -67,6 +98,11 @@ Status readComparedSurface(vtkPolyData* input, const std::string& name, Compared
       surface.triangles[t][k] = static_cast<Index>(soup.triangles[t][k]);
     }
   }
-  return checkPoints(surface, name);
+  status = checkPoints(surface, name);
+  if (status.ok())
+  {
+    joinTriangles(input, surface);
+  }
+  return status;
 }
 }

@@ -28,9 +28,16 @@ struct DiagramSource
   int seed;
   /** Silent; when it cancels, the outputs are of no use. */
   RunControl control;
+  /** Blocks of the input's cells, where it has several (BlockNames.h); else nullptr. */
+  const int* cellBlocks = nullptr;
 
   const EmbeddedSurface& surface() const { return this->prepared.surface; }
   int dimension() const { return this->surface().dimension; }
+  /** The block of a facet, 0 where there are none. */
+  int blockOfFacet(Index facet) const
+  {
+    return this->cellBlocks ? this->cellBlocks[this->prepared.mesh.facetInputCells[facet]] : 0;
+  }
   /** The patch of a facet and of a site. */
   Offset patchOfFacet(Index facet) const
   {

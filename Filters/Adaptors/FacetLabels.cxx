@@ -1,12 +1,17 @@
 #include "Adaptors/FacetLabels.h"
 
+#include "Adaptors/BlockNames.h"
 #include "Adaptors/CellOrder.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkIntArray.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
 #include <map>
 #include <string>
+#include <utility>
 
 namespace remesh
 {
@@ -35,5 +40,27 @@ Status readFacetLabels(const SurfaceMesh& mesh, vtkAbstractArray* array, Offset 
     labels.push_back(numbers.emplace(cell, static_cast<Index>(numbers.size())).first->second);
   }
   return Status::success();
+}
+
+void addRegions(const SurfaceMesh& mesh, vtkPolyData* input, std::vector<Index>& labels)
+{
+  vtkCellData* data = input->GetCellData();
+  auto* regions = vtkIntArray::SafeDownCast(data->GetAbstractArray(regionName));
+  if (!regions)
+  {
+    regions = vtkIntArray::SafeDownCast(data->GetAbstractArray(blockName));
+  }
+  if (!regions)
+  {
+    return;
+  }
+  labels.resize(mesh.facetInputCells.size(), 0);
+  std::map<std::pair<int, Index>, Index> numbers;
+  for (std::size_t facet = 0; facet < labels.size(); ++facet)
+  {
+    const int region = regions->GetValue(mesh.facetInputCells[facet]);
+    const auto next = static_cast<Index>(numbers.size());
+    labels[facet] = numbers.emplace(std::make_pair(region, labels[facet]), next).first->second;
+  }
 }
 }

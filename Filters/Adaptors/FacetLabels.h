@@ -9,6 +9,7 @@
 #include "Support/Status.h"
 
 class vtkAbstractArray;
+class vtkPolyData;
 
 namespace remesh
 {
@@ -20,6 +21,12 @@ namespace remesh
  */
 Status readFacetLabels(const SurfaceMesh& mesh, vtkAbstractArray* array, Offset numberOfInputCells,
   std::vector<Index>& labels);
+
+/**
+ * Where the input has several regions (BlockNames.h), parts labels by them, too: facets keep equal
+ * labels only in the same region. Facets without labels get those of their regions.
+ */
+void addRegions(const SurfaceMesh& mesh, vtkPolyData* input, std::vector<Index>& labels);
 }
 
 #endif

@@ -8,6 +8,8 @@
 #ifndef remesh_ReservedNames_h
 #define remesh_ReservedNames_h
 
+#include "Adaptors/BlockNames.h"
+
 #include "vtkFieldData.h"
 
 #include <algorithm>
@@ -39,11 +41,16 @@ inline bool isReserved(Names names, const std::string& name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/** Those of some blocks, too (BlockNames.h). */
 inline void removeReserved(Names names, vtkFieldData* data)
 {
-  for (const char* name : names)
+  for (int k = data->GetNumberOfArrays() - 1; k >= 0; --k)
   {
-    data->RemoveArray(name);
+    const char* name = data->GetArrayName(k);
+    if (name && isReserved(names, plainName(name)))
+    {
+      data->RemoveArray(name);
+    }
   }
 }
 }

@@ -1,6 +1,10 @@
 #include "Adaptors/ArrayHelpers.h"
+#include "Adaptors/BlockNames.h"
 #include "Adaptors/DiagramOutput.h"
+#include "Adaptors/MeshBlocks.h"
 
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
@@ -102,6 +106,13 @@ void writeSites(const DiagramSource& source, vtkPolyData* output)
   }
   columns.add<vtkIdTypeArray>(
     "NumberOfNeighbors", [&](Offset i) { return result.numbersOfNeighbors[i]; });
+  if (source.cellBlocks)
+  {
+    const std::vector<int> blocks = findSiteBlocks(source, places);
+    const auto block = [&](Offset i) { return blocks[i]; };
+    columns.add<vtkIntArray>(blockName, block);
+    Columns{ output->GetCellData(), count, source.control }.add<vtkIntArray>(blockName, block);
+  }
 }
 
 void writeConvergence(const DiagramSource& source, vtkTable* output)

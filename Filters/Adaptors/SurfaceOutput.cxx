@@ -1,7 +1,11 @@
 #include "Adaptors/ArrayHelpers.h"
+#include "Adaptors/BlockNames.h"
 #include "Adaptors/CarriedArrays.h"
+#include "Adaptors/MeshBlocks.h"
 #include "Mesh/FacetGeometry.h"
 
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 
 #include <cmath>
@@ -11,10 +15,10 @@ namespace remesh
 namespace
 {
 /** The surface's normals at the vertices' places, unit vectors; the facet's where they cancel. */
-void addNormals(const DiagramSource& source, const Columns& columns)
+void addNormals(const DiagramSource& source, const std::vector<SurfaceLocation>& locations,
+  const Columns& columns)
 {
   constexpr double cancelled = 1e-12; // of unit vectors: nothing but rounding error is left
-  const auto& locations = source.result.locations;
   columns.addTuples<vtkDoubleArray>("Normals", 3,
     [&](Offset k, double* values)
     {
@@ -34,26 +38,44 @@ void addNormals(const DiagramSource& source, const Columns& columns)
     });
 }
 
-void addSiteArrays(const DiagramSource& source, const Columns& columns)
+/** @param vertexOf the vertex of the mesh that a point is. */
+template <class VertexOf>
+void addSiteArrays(const DiagramSource& source, const VertexOf& vertexOf, const Columns& columns)
 {
   const Components& components = source.result.components;
-  columns.add<vtkIdTypeArray>("SiteId", [&](Offset k) { return components.sites[k]; });
-  columns.add<vtkIdTypeArray>("ComponentId", [&](Offset k) { return components.ranks[k]; });
-  columns.add<vtkIntArray>(
-    "CellColor", [&](Offset k) { return source.result.cellColors[components.sites[k]]; });
-  columns.add<vtkDoubleArray>("CellArea", [&](Offset k) { return components.area[k]; });
-  columns.add<vtkDoubleArray>(
-    "CellMass", [&](Offset k) { return source.componentMass()[k] * source.massUnit(); });
-  columns.add<vtkDoubleArray>(
-    "CellEnergy", [&](Offset k) { return source.componentEnergy()[k] * source.energyUnit(); });
+  const auto add = [&](const char* name, const auto& value)
+  { columns.add<vtkDoubleArray>(name, [&](Offset k) { return value(vertexOf(k)); }); };
+  columns.add<vtkIdTypeArray>("SiteId", [&](Offset k) { return components.sites[vertexOf(k)]; });
+  columns.add<vtkIdTypeArray>(
+    "ComponentId", [&](Offset k) { return components.ranks[vertexOf(k)]; });
+  columns.add<vtkIntArray>("CellColor",
+    [&](Offset k) { return source.result.cellColors[components.sites[vertexOf(k)]]; });
+  add("CellArea", [&](Offset v) { return components.area[v]; });
+  add("CellMass", [&](Offset v) { return source.componentMass()[v] * source.massUnit(); });
+  add("CellEnergy", [&](Offset v) { return source.componentEnergy()[v] * source.energyUnit(); });
   if (source.hasDensity())
   {
-    columns.add<vtkDoubleArray>("CellWeightedMass",
-      [&](Offset k) { return components.mass[k] * source.massUnit() * source.densityUnit(); });
+    add("CellWeightedMass",
+      [&](Offset v) { return components.mass[v] * source.massUnit() * source.densityUnit(); });
   }
   columns.addTuples<vtkDoubleArray>("Embedding", source.dimension(),
     [&](Offset k, double* values)
-    { source.surface().toCaller(source.result.sites.site(components.sites[k]), values); });
+    {
+      const Index site = components.sites[vertexOf(k)];
+      source.surface().toCaller(source.result.sites.site(site), values);
+    });
+}
+
+/** What tells the blocks apart, where there are some. */
+void addBlocks(const MeshBlocks& blocks, vtkPolyData* output, const RunControl& control)
+{
+  if (!blocks.vertices.empty())
+  {
+    const Columns points{ output->GetPointData(), output->GetNumberOfPoints(), control };
+    points.add<vtkIntArray>(blockName, [&](Offset k) { return blocks.pointBlocks[k]; });
+    const Columns cells{ output->GetCellData(), output->GetNumberOfCells(), control };
+    cells.add<vtkIntArray>(blockName, [&](Offset k) { return blocks.triangleBlocks[k]; });
+  }
 }
 
 /** Whether a surface is the mesh of an earlier run, by the arrays that all of them have. */
@@ -99,21 +121,26 @@ void writeSurface(
   const DiagramSource& source, vtkPolyData* output, std::vector<std::string>& warnings)
 {
   const auto& positions = source.result.placement.positions;
-  const auto& triangles = source.result.dual.triangles;
-  const auto count = static_cast<Offset>(positions.size());
+  const MeshBlocks blocks = source.cellBlocks ? findMeshBlocks(source) : MeshBlocks();
+  const bool hasBlocks = source.cellBlocks != nullptr;
+  const auto& triangles = hasBlocks ? blocks.triangles : source.result.dual.triangles;
+  const auto& locations = hasBlocks ? blocks.locations : source.result.locations;
+  const auto vertexOf = [&](Offset k) { return hasBlocks ? Offset(blocks.vertices[k]) : k; };
+  const auto count = static_cast<Offset>(locations.size());
   output->SetPoints(makePoints(
-    count, [&](Offset k) -> const Point3& { return positions[k]; }, source.control));
+    count, [&](Offset k) -> const Point3& { return positions[vertexOf(k)]; }, source.control));
   output->SetPolys(makeCells(static_cast<Offset>(triangles.size()), 3, source.control,
     [&](Offset k, vtkIdType* ids) { std::copy(triangles[k].begin(), triangles[k].end(), ids); }));
   vtkPointData* data = output->GetPointData();
   const Columns columns{ data, count, source.control };
-  addSiteArrays(source, columns);
-  addNormals(source, columns);
+  addSiteArrays(source, vertexOf, columns);
+  addNormals(source, locations, columns);
   data->SetActiveNormals("Normals");
   LostArrays lost;
   lost.inputIsMesh = isRemeshed(source.input);
-  carryPointArrays(source, output, lost);
-  carryCellArrays(source, output, lost);
+  carryPointArrays(source, locations, output, lost);
+  carryCellArrays(source, blocks.triangleBlocks, output, lost);
+  addBlocks(blocks, output, source.control);
   addFacts(source, output->GetFieldData());
   carryFieldData(source.input, output, lost);
   if (const std::string warning = lost.describe(); !warning.empty())

@@ -234,9 +234,17 @@ Status readFeatureOptions(vtkPolyData* input, const PreparationRequest& request,
   options.angleDegrees = request.featureAngle;
   options.spacing = meanSpacing(
     mesh, request.sitesForFeatures > 0 ? request.sitesForFeatures : request.numberOfSites);
-  return request.labels
-    ? readFacetLabels(mesh, request.labels, input->GetNumberOfCells(), options.facetLabels)
-    : Status::success();
+  if (request.labels)
+  {
+    if (Status status =
+          readFacetLabels(mesh, request.labels, input->GetNumberOfCells(), options.facetLabels);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  addRegions(mesh, input, options.facetLabels);
+  return Status::success();
 }
 
 Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,

@@ -6,6 +6,7 @@
 #define remesh_VTKCompatibility_h
 
 #include "vtkAlgorithm.h"
+#include "vtkPolygon.h"
 #include "vtkVersionMacros.h"
 
 namespace remesh
@@ -26,6 +27,16 @@ inline bool abortRequested(vtkAlgorithm* algorithm)
   return asked;
 #else
   return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+/** Triangles of a polygon, by its corners 0, 1, ...; 0 where there are none. */
+inline int triangulate(vtkPolygon* polygon, vtkIdList* corners)
+{
+#if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 6
+  return polygon->TriangulateLocalIds(0, corners);
+#else
+  return polygon->Triangulate(corners);
 #endif
 }
 }

@@ -9,6 +9,7 @@ from .vtkFiltersAnisotropicRemeshing import (
     vtkRestrictedVoronoiAlgorithm,
     vtkRestrictedVoronoiDiagram,
     vtkSurfaceMeshComparison,
+    vtkWholeSurfaceAlgorithm,
 )
 
 __all__ = [
@@ -18,4 +19,5 @@ __all__ = [
     "vtkRestrictedVoronoiAlgorithm",
     "vtkRestrictedVoronoiDiagram",
     "vtkSurfaceMeshComparison",
+    "vtkWholeSurfaceAlgorithm",
 ]

@@ -4,6 +4,8 @@
 #include "TestChecks.h"
 #include "TestFacetSites.h"
 
+#include <iostream>
+
 using namespace remesh;
 
 namespace

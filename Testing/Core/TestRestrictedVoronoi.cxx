@@ -5,6 +5,8 @@
 #include "Voronoi/FacetDecomposition.h"
 #include "Voronoi/Ownership.h"
 
+#include <iostream>
+
 using namespace remesh;
 
 namespace

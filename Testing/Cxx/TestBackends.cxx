@@ -11,6 +11,7 @@
 #include "vtkSMPTools.h"
 
 #include <chrono>
+#include <iostream>
 #include <mutex>
 #include <set>
 #include <thread>

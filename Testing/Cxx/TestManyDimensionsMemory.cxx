@@ -7,6 +7,8 @@
 
 #include <sys/resource.h>
 
+#include <iostream>
+
 namespace
 {
 using namespace remesh;

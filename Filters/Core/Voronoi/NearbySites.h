@@ -62,7 +62,7 @@ private:
     double reach = 0.0;
     if (end - begin <= mostTogether && this->lieTogether(begin, end, radius(*begin), reach))
     {
-      double radii[mostTogether];
+      double radii[mostTogether] = {};
       std::transform(begin, end, radii, radius);
       if (this->gather(end - begin, reach, *std::max_element(radii, radii + (end - begin))))
       {

@@ -141,6 +141,9 @@ class NeighborSearch::ForestOf : public NeighborSearch::Forest
   template <class Set>
   struct Shifted
   {
+    using DistanceType = double; // what newer versions of nanoflann ask for
+    using IndexType = Index32;
+
     Set& set;
     std::size_t first;
 
@@ -151,7 +154,7 @@ class NeighborSearch::ForestOf : public NeighborSearch::Forest
     double worstDist() const { return this->set.worstDist(); }
     std::size_t size() const { return this->set.size(); }
     bool full() const { return this->set.full(); }
-    void sort() {} // what newer versions of nanoflann ask for
+    void sort() {} // they ask for this, too
   };
 
 public:

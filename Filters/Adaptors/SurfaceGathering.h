@@ -1,0 +1,76 @@
+/**
+ * @file SurfaceGathering.h
+ * @brief The pieces of a surface that is distributed over processes, brought to the first of them.
+ *
+ * Processes take part if a filter is asked for one piece on each of them, as by ParaView's servers.
+ * Then each of these is called by all of them, in this order, or some wait for ever.
+ *
+ * 1. `gather`: the first process gets the pieces of all, leaf by leaf of composite data, in the
+ *    order of the processes and without ghost cells. Points that several pieces have stay several:
+ *    intake makes them one.
+ * 2. The first process does the work.
+ * 3. `finish`: the others learn how it went, and get their parts of the outputs if these are
+ * spread.
+ *
+ * While the first works, the others sleep where the processes are those of MPI.
+ *
+ * Memory: the first process holds the whole surface and the whole result, and for a while one more
+ * copy of the largest piece.
+ */
+#ifndef remesh_SurfaceGathering_h
+#define remesh_SurfaceGathering_h
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkInformationVector;
+class vtkMultiProcessController;
+
+namespace remesh
+{
+class SurfaceGathering
+{
+public:
+  /** @param inputs one for each port, with one connection or none. */
+  SurfaceGathering(vtkInformationVector** inputs, int numberOfInputs);
+  ~SurfaceGathering();
+
+  /** Whether this process does the work: the first, or the only one. */
+  bool worksHere() const;
+
+  /** What is at the ports: of all processes on the first, once gathered; else this process's. */
+  vtkInformationVector** inputs() { return this->Inputs; }
+
+  /**
+   * Brings the pieces to the first process. Cost: nothing where there is only one.
+   *
+   * @param takesPoints of each port, whether only its points count.
+   */
+  void gather(const std::vector<bool>& takesPoints);
+
+  /**
+   * Tells the others how the work went, and spreads the outputs: data with cells are cut into
+   * ranges of cells, one for each process in their order. Points at the cuts are in both. Tables
+   * and grids stay on the first.
+   *
+   * @param done, spreads of the first process count. @return the same on all.
+   */
+  int finish(int done, vtkInformationVector* outputs, bool spreads);
+
+private:
+  void SendInputs(const std::vector<bool>& takesPoints);
+  void ReceiveInputs(const std::vector<bool>& takesPoints);
+  void SendParts(vtkInformationVector* outputs);
+  void ReceiveParts(vtkInformationVector* outputs);
+
+  vtkMultiProcessController* Controller = nullptr; ///< nullptr: this process is alone
+  vtkInformationVector** Inputs;
+  std::size_t NumberOfInputs;
+  std::vector<vtkSmartPointer<vtkInformationVector>> Gathered;
+  std::vector<vtkInformationVector*> GatheredPointers;
+};
+}
+
+#endif

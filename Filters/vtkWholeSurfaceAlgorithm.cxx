@@ -1,0 +1,360 @@
+#include "vtkWholeSurfaceAlgorithm.h"
+
+#include "Adaptors/BlockOutputs.h"
+#include "Adaptors/CarriedArrays.h"
+#include "Adaptors/ChosenArrays.h"
+#include "Adaptors/OutputPorts.h"
+#include "Adaptors/SurfaceGathering.h"
+#include "Adaptors/WholeData.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm() = default;
+vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm() = default;
+
+int vtkWholeSurfaceAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+int vtkWholeSurfaceAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+bool vtkWholeSurfaceAlgorithm::TakesPoints(int) const
+{
+  return false;
+}
+
+int vtkWholeSurfaceAlgorithm::GetStructurePort(int) const
+{
+  return 0;
+}
+
+bool vtkWholeSurfaceAlgorithm::PassesInput(int) const
+{
+  return false;
+}
+
+vtkTypeBool vtkWholeSurfaceAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT())
+    ? this->RequestDataObject(request, inputVector, outputVector)
+    : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+namespace
+{
+/** The ports with other data: the filter's own are left as they are. */
+class WholePorts
+{
+public:
+  WholePorts(const remesh::WholeData& data, vtkInformationVector** inputs, int numberOfInputs,
+    vtkInformationVector* outputs)
+    : Inputs(static_cast<std::size_t>(numberOfInputs))
+  {
+    for (int port = 0; port < numberOfInputs; ++port)
+    {
+      this->Inputs[port] = vtkSmartPointer<vtkInformationVector>::New();
+      if (vtkInformation* connection = inputs[port]->GetInformationObject(0))
+      {
+        append(connection, data.inputs[port], this->Inputs[port]);
+      }
+      this->InputPointers.push_back(this->Inputs[port]);
+    }
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      append(outputs->GetInformationObject(port), data.outputs[port], this->Outputs);
+    }
+  }
+
+  vtkInformationVector** inputs() { return this->InputPointers.data(); }
+  vtkInformationVector* outputs() { return this->Outputs; }
+
+private:
+  static void append(vtkInformation* like, vtkDataObject* data, vtkInformationVector* ports)
+  {
+    vtkNew<vtkInformation> info;
+    info->Copy(like);
+    info->Set(vtkDataObject::DATA_OBJECT(), data);
+    ports->Append(info);
+  }
+
+  std::vector<vtkSmartPointer<vtkInformationVector>> Inputs;
+  std::vector<vtkInformationVector*> InputPointers;
+  vtkNew<vtkInformationVector> Outputs;
+};
+
+/** The surface, or the sites, of one input port as plain data. */
+remesh::Status takeInput(vtkDataObject* input, const std::string& subject, bool takesPoints,
+  std::vector<remesh::SurfaceBlock>& blocks, vtkSmartPointer<vtkDataObject>& whole,
+  remesh::JoinReport& report)
+{
+  whole = input;
+  const bool isPlain = takesPoints ? vtkPointSet::SafeDownCast(input) != nullptr
+                                   : vtkPolyData::SafeDownCast(input) != nullptr;
+  if (!input || isPlain)
+  {
+    return remesh::Status::success();
+  }
+  auto joined = vtkSmartPointer<vtkPolyData>::New();
+  whole = joined;
+  if (remesh::hasBlocks(input))
+  {
+    blocks = remesh::findBlocks(input);
+    remesh::Status status =
+      takesPoints ? remesh::joinPoints(blocks, joined) : remesh::joinBlocks(blocks, joined, report);
+    joined->GetFieldData()->PassData(input->GetFieldData());
+    return status;
+  }
+  if (takesPoints)
+  {
+    return remesh::Status::invalid(
+      std::string("The sites are a ") + input->GetClassName() + ", which has no points for sites.");
+  }
+  remesh::LeafSurface leaf;
+  if (remesh::Status status = remesh::readLeaf(input, subject, leaf); !status.ok())
+  {
+    return status;
+  }
+  if (leaf.cellIds)
+  {
+    remesh::joinLeaf(leaf, joined, report);
+    joined->GetFieldData()->PassData(input->GetFieldData());
+    return remesh::Status::success();
+  }
+  leaf.surface->GetCellData()->ShallowCopy(leaf.cellData);
+  whole = leaf.surface;
+  return remesh::Status::success();
+}
+}
+
+/** One execution: what is at the ports, and the same as plain data. */
+struct vtkWholeSurfaceAlgorithm::vtkWhole
+{
+  vtkWholeSurfaceAlgorithm* Self;
+  vtkInformationVector** InputVector;
+  vtkInformationVector* OutputVector;
+  remesh::WholeData Data;
+
+  vtkDataObject* InputOf(int outputPort) const
+  {
+    return vtkDataObject::GetData(this->InputVector[this->Self->GetStructurePort(outputPort)]);
+  }
+
+  remesh::Status TakeInputs()
+  {
+    const auto ports = static_cast<std::size_t>(this->Self->GetNumberOfInputPorts());
+    this->Data.inputs.resize(ports);
+    this->Data.blocks.resize(ports);
+    for (std::size_t port = 0; port < ports; ++port)
+    {
+      remesh::JoinReport report;
+      remesh::Status status = takeInput(vtkDataObject::GetData(this->InputVector[port]),
+        port == 0 ? "The input" : "The input at port " + std::to_string(port),
+        this->Self->TakesPoints(static_cast<int>(port)), this->Data.blocks[port],
+        this->Data.inputs[port], report);
+      if (!status.ok())
+      {
+        return status;
+      }
+      this->Warn(report);
+    }
+    return remesh::Status::success();
+  }
+
+  void Warn(const remesh::JoinReport& report) const
+  {
+    remesh::LostArrays lost;
+    lost.unfit = report.unfitArrays;
+    if (const std::string text = lost.describe(); !text.empty())
+    {
+      vtkWarningWithObjectMacro(this->Self, << text);
+    }
+    if (report.lacksNormals && this->TakesActiveNormals())
+    {
+      vtkWarningWithObjectMacro(this->Self,
+        "Some blocks have active point normals, but not all: the normals are estimated.");
+    }
+  }
+
+  /** Whether normals are used that nobody asked for. */
+  bool TakesActiveNormals() const
+  {
+    vtkInformation* choice = this->Self->GetInputArrayInformation(0);
+    return remesh::isPointAttribute(choice, vtkDataSetAttributes::NORMALS) ||
+      (remesh::isChosenByName(choice) &&
+        choice->Get(vtkDataObject::FIELD_NAME()) == std::string("Automatic"));
+  }
+
+  /** Plain outputs: the filter's own, or others for a while. */
+  void MakeOutputs()
+  {
+    for (int port = 0; port < this->Self->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject* output = vtkDataObject::GetData(this->OutputVector, port);
+      if (auto* composite = vtkCompositeDataSet::SafeDownCast(output))
+      {
+        composite->CopyStructure(vtkCompositeDataSet::SafeDownCast(this->InputOf(port)));
+      }
+      if (!vtkPolyData::SafeDownCast(output) && !vtkTable::SafeDownCast(output))
+      {
+        vtkNew<vtkPolyData> plain;
+        plain->GetFieldData()->PassData(output->GetFieldData());
+        this->Data.outputs.emplace_back(plain.Get());
+        continue;
+      }
+      this->Data.outputs.emplace_back(output);
+    }
+  }
+
+  /** What was made, in the structure of the input. */
+  void GiveOutputs()
+  {
+    for (int port = 0; port < this->Self->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject* output = vtkDataObject::GetData(this->OutputVector, port);
+      auto* whole = vtkPolyData::SafeDownCast(this->Data.outputs[port]);
+      if (output == this->Data.outputs[port])
+      {
+        continue;
+      }
+      const int from = this->Self->GetStructurePort(port);
+      auto* input = vtkPolyData::SafeDownCast(this->Data.inputs[from]);
+      if (!vtkCompositeDataSet::SafeDownCast(output))
+      {
+        if (input)
+        {
+          remesh::passLeaf(this->InputOf(port), input, whole, output);
+        }
+        continue;
+      }
+      output->GetFieldData()->ShallowCopy(whole->GetFieldData());
+      this->GiveBlocks(port, this->Data.blocks[from], input, whole, output);
+    }
+  }
+
+private:
+  void GiveBlocks(int port, const std::vector<remesh::SurfaceBlock>& blocks, vtkPolyData* input,
+    vtkPolyData* whole, vtkDataObject* output) const
+  {
+    if (this->Self->PassesInput(port))
+    {
+      const auto leaves = remesh::passBlocks(blocks, input, whole);
+      for (std::size_t k = 0; k < blocks.size(); ++k)
+      {
+        remesh::setBlock(output, blocks[k], leaves[k]);
+      }
+      return;
+    }
+    const bool hasResult =
+      vtkPolyData::SafeDownCast(this->Data.outputs[0])->GetNumberOfPoints() > 0;
+    const auto parts = remesh::partByBlock(whole, static_cast<int>(blocks.size()));
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+    {
+      if (blocks[k].input && hasResult)
+      {
+        remesh::finishBlock(whole, blocks[k].input, parts[k]);
+      }
+      remesh::setBlock(output, blocks[k], blocks[k].input ? parts[k].Get() : nullptr);
+    }
+  }
+};
+
+int vtkWholeSurfaceAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    const char* type = this->GetOutputPortInformation(port)->Get(vtkDataObject::DATA_TYPE_NAME());
+    if (std::strcmp(type, "vtkDataObject") != 0)
+    {
+      continue; // a table: the executive makes it
+    }
+    vtkDataObject* input = vtkDataObject::GetData(inputVector[this->GetStructurePort(port)]);
+    vtkSmartPointer<vtkDataObject> made;
+    if (remesh::hasBlocks(input) ||
+      (this->PassesInput(port) && vtkUnstructuredGrid::SafeDownCast(input)))
+    {
+      made.TakeReference(input->NewInstance());
+    }
+    else
+    {
+      made = vtkSmartPointer<vtkPolyData>::New();
+    }
+    vtkDataObject* output = vtkDataObject::GetData(outputVector, port);
+    if (!output || std::strcmp(output->GetClassName(), made->GetClassName()) != 0)
+    {
+      outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), made);
+    }
+  }
+  return 1;
+}
+
+int vtkWholeSurfaceAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->ForgetLastRun();
+  const int ports = this->GetNumberOfInputPorts();
+  std::vector<bool> takesPoints;
+  for (int port = 0; port < ports; ++port)
+  {
+    takesPoints.push_back(this->TakesPoints(port));
+  }
+  remesh::SurfaceGathering gathering(inputVector, ports);
+  gathering.gather(takesPoints);
+  vtkWhole whole{ this, gathering.inputs(), outputVector, {} };
+  whole.MakeOutputs();
+  int done = 1;
+  if (gathering.worksHere())
+  {
+    done = this->WorkOnWhole(whole);
+  }
+  return gathering.finish(done, outputVector, this->DistributeOutputs);
+}
+
+int vtkWholeSurfaceAlgorithm::WorkOnWhole(vtkWhole& whole)
+{
+  const remesh::Status status = whole.TakeInputs();
+  WholePorts ports(
+    whole.Data, whole.InputVector, this->GetNumberOfInputPorts(), whole.OutputVector);
+  int done = 0;
+  if (status.ok())
+  {
+    done = this->RequestWhole(ports.inputs(), ports.outputs());
+  }
+  else
+  {
+    vtkErrorMacro(<< status.message);
+  }
+  if (!done)
+  {
+    remesh::emptyPorts(ports.outputs());
+  }
+  whole.GiveOutputs();
+  return done;
+}
+
+void vtkWholeSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DistributeOutputs: " << this->DistributeOutputs << "\n";
+}

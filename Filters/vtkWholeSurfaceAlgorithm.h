@@ -1,0 +1,114 @@
+/**
+ * @class   vtkWholeSurfaceAlgorithm
+ * @brief   What all filters of this library share: what they take for a surface, and blocks.
+ *
+ * A surface is
+ * - vtkPolyData with polygons or triangle strips;
+ * - vtkUnstructuredGrid with triangles, quadrilaterals, pixels, polygons and strips alone;
+ * - vtkMultiBlockDataSet, vtkPartitionedDataSetCollection or vtkPartitionedDataSet of those, within
+ *   each other to any depth.
+ * Vertices and lines are ignored. Anything else, also as a block (volumes, images, tables), is an
+ * error that tells how to get a surface.
+ *
+ * Composite data are one surface: numbers of points are of all blocks together, and blocks that
+ * touch (in points with equal coordinates) stay joined. A block's border is a feature, as if the
+ * block's number were a label of the cells (see vtkAnisotropicRemesher::SetFeatureLabelArray).
+ * Partitions of one vtkPartitionedDataSet are pieces of one block: between them is no feature.
+ *
+ * For composite input the outputs are of the same class and structure, with its names and other
+ * metadata; null blocks stay null, empty ones empty. Then GetOutput() and its like return nullptr:
+ * use GetOutputDataObject(). Tables stay tables. In the outputs
+ * - each triangle is in the block that most of it lies on, which with features is the only one; a
+ *   point that several blocks share is in each, with the same coordinates and `SiteId`;
+ * - the input's arrays in a block are those that the input's block has, also where others lack
+ *   them, and their values at shared points are those of that block's side;
+ * - an array that is to be used (as embedding, labels, density, coordinates) must be in all blocks
+ *   that have polygons; active normals count only where all have them;
+ * - sites are each in one block, the one with the largest part of its cell; lines along a border of
+ *   blocks are in both; `SiteId` and `PatchId` number those of the whole, and `InputCellId` is the
+ *   cell's id in the input's block;
+ * - sums (`CellArea` and so on) and facts in the field data are those of the whole; facts are in
+ *   the field data of each block and of the composite data set.
+ *
+ * Sites, too, may be composite, of any vtkPointSet: they are numbered block by block.
+ *
+ * Several processes, as of ParaView's servers and batch programs, share a surface if each is asked
+ * for one piece of it: through vtkMultiProcessController::GetGlobalController() the pieces come to
+ * the first process, which does the work on all threads that it has. So the first process takes the
+ * memory of the whole surface and the whole work, and one copy of the largest piece; the others
+ * sleep. The result is that of one process, whatever the number of processes:
+ * - ghost cells count once, and points that pieces share are one;
+ * - cells have the ids of the pieces appended in the order of the processes, without ghost cells;
+ *   only these ids (`InputCellId`), and the order of what is passed from the input, are other ones;
+ * - an error or warning is told on the first process alone, and the execution fails on all.
+ */
+#ifndef vtkWholeSurfaceAlgorithm_h
+#define vtkWholeSurfaceAlgorithm_h
+
+#include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkWholeSurfaceAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkWholeSurfaceAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Where several processes share the work (see above): whether the outputs are spread over them,
+   * or stay on the first, and are empty on the others. Spread, each process has a range of the
+   * cells; appended in the order of the processes they are those of one process, in the same order.
+   * Points at the cuts are in both parts. Tables stay on the first. Default: off.
+   */
+  vtkSetMacro(DistributeOutputs, bool);
+  vtkGetMacro(DistributeOutputs, bool);
+  vtkBooleanMacro(DistributeOutputs, bool);
+  ///@}
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+protected:
+  vtkWholeSurfaceAlgorithm();
+  ~vtkWholeSurfaceAlgorithm() override;
+
+  /** Any data object: what cannot be used gets an error of the filter's own, in every language. */
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  /** Any data object: what it is depends on the input. */
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) final;
+
+  /**
+   * What RequestData is to other filters: there is at most one connection to each input port, with
+   * plain data (vtkPolyData where a surface is asked for), and the outputs are vtkPolyData and
+   * vtkTable.
+   */
+  virtual int RequestWhole(
+    vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
+
+  /** Called before anything else: facts of an earlier execution are not true any more. */
+  virtual void ForgetLastRun() {}
+
+  /** Whether an input port takes points (any vtkPointSet) and no surface. */
+  virtual bool TakesPoints(int inputPort) const;
+
+  /** The input port whose structure an output port has. */
+  virtual int GetStructurePort(int outputPort) const;
+
+  /** Whether an output is that input itself with other point arrays. */
+  virtual bool PassesInput(int outputPort) const;
+
+private:
+  vtkWholeSurfaceAlgorithm(const vtkWholeSurfaceAlgorithm&) = delete;
+  void operator=(const vtkWholeSurfaceAlgorithm&) = delete;
+
+  struct vtkWhole;
+  int WorkOnWhole(vtkWhole& whole);
+
+  bool DistributeOutputs = false;
+};
+
+#endif
