@@ -305,8 +305,9 @@ def judge_remesher(judge):
         judge.equal("first, points", source["points"][0], 500)
         judge.equal("first, triangles", source["cells"][0], 1000)
         judge.visible("first", first, [(REMESHER, 0)])
-        judge.within("first, part of the picture", first["picture"]["surface"], 0.1, 0.9)
-        judge.within("first, edges in the picture", first["picture"]["lines"], 0.03, 0.6)
+        picture = first.get("picture", {"surface": 0, "lines": 0})
+        judge.within("first, part of the picture", picture["surface"], 0.1, 0.9)
+        judge.within("first, edges in the picture", picture["lines"], 0.03, 0.6)
     redone = judge.read("redone")
     if redone:
         judge.equal("redone, points", redone["sources"][REMESHER]["points"][0], 300)
