@@ -26,7 +26,7 @@ Triangles cut(const Points& points, const Cell& cell)
   Triangles triangles;
   PolygonTriangulator triangulator(points);
   CHECK(triangulator.AppendTriangles(static_cast<vtkIdType>(cell.size()), cell.data(), triangles));
-  std::transform(triangles.begin(), triangles.end(), triangles.begin(), fromLeast);
+  std::transform(triangles.begin(), triangles.end(), triangles.begin(), test::fromLeast);
   std::sort(triangles.begin(), triangles.end());
   return triangles;
 }
