@@ -4,8 +4,8 @@ TestWindow.py <paraview> <its version> <plugin.so> <folder> <scenario>
 
 The steps are played by ParaView's own test playback: it sends mouse and key events to widgets that
 it finds by name, so that neither fonts nor sizes matter, and it waits until the window is idle. A
-step whose widget is missing fails, and so does typing into a hidden one. What the window then holds is written by
-TestWindowState.py, which the window's Python shell runs, and judged here.
+step whose widget is missing fails, and so does typing into a hidden one. What the window then
+holds is written by TestWindowState.py, which the window's Python shell runs, and judged here.
 """
 import json
 import os
