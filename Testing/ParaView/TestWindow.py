@@ -4,8 +4,8 @@ TestWindow.py <paraview> <its version> <plugin.so> <folder> <scenario>
 
 The steps are played by ParaView's own test playback: it sends mouse and key events to widgets that
 it finds by name, so that neither fonts nor sizes matter, and it waits until the window is idle. A
-step whose widget is missing or hidden fails. What the window then holds is written by
-TestWindowState.py, which the window's Python shell runs, and judged here.
+step whose widget is missing fails, and so does typing into a hidden one. What the window then
+holds is written by TestWindowState.py, which the window's Python shell runs, and judged here.
 """
 import json
 import os
@@ -112,7 +112,8 @@ class Playback:
         if self.version < (5, 12):
             self.menu("menu_View", "Animation View")
             tracks = MAIN + "/animationViewDock/animationView/pqAnimationWidget"
-            boxes = [tracks + "/CreateDeleteWidget/" + box for box in ("ProxyCombo", "PropertyCombo")]
+            chooser = tracks + "/CreateDeleteWidget"
+            boxes = [chooser + "/ProxyCombo", chooser + "/PropertyCombo"]
         else:
             self.menu("menu_View", "Time Manager")
             tracks = (MAIN + "/timeManagerDock/timeManagerPanel/timeline/1pqTimelineView0"
@@ -171,7 +172,7 @@ def play(paraview, version, playback):
     with open(os.path.join(settings, "ParaView%s.ini" % version), "w") as file:
         file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
     with Display() as display:
-        environment = dict(display.environment, XDG_CONFIG_HOME=os.path.join(playback.folder, "settings"))
+        environment = dict(display.environment, XDG_CONFIG_HOME=os.path.dirname(settings))
         process = subprocess.Popen(
             [paraview, "--exit", "--test-directory=" + playback.folder,
              "--test-script=" + playback.write()], env=environment, text=True, errors="replace",
@@ -336,7 +337,7 @@ def play_animation(steps):
 def judge_animation(judge):
     animated = judge.read("animation")
     if animated:
-        judge.equal("animation, visible", animated["active_view"], "RenderView")
+        judge.equal("animation, active view", animated["active_view"], "RenderView")
     counts = []
     for frame in ("First", "Second", "Last"):
         state = judge.read("frame" + frame)
