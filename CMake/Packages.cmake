@@ -21,8 +21,12 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The AnisotropicRemeshing authors <root@localhost>" CACHE STRING
-  "Whom the packages name as their maintainer")
+# As Debian's own tools have it; else an address that is an example.
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER
+  "The AnisotropicRemeshing authors <anisotropic-remeshing@example.org>")
+if (DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(CPACK_DEBIAN_PACKAGE_MAINTAINER "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif ()
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
@@ -50,8 +54,10 @@ file(WRITE "${package_folder}/changelog"
 compress("${package_folder}/changelog" "${package_folder}/changelog.gz")
 
 set(summary "anisotropic surface remeshing by Voronoi tessellation")
-set(story
-  "Remeshes a surface with a given number of points, adapted to its curvature: triangles become long along flat directions and small where the surface bends.")
+string(JOIN "\n" story
+  "Remeshes a surface with a given number of points, adapted to its"
+  "curvature: triangles become long along flat directions and small where"
+  "the surface bends.")
 
 if (ANISOTROPIC_REMESHING_BUILD_PARAVIEW_PLUGIN)
   # ParaView loads the plugins of the files that paraview.conf beside its programs names.

@@ -17,7 +17,7 @@ dest=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 (cd "$work" && apt-get download -q "python3-paraview=$version" && dpkg -x python3-paraview_*.deb tree)
-rm -rf "$dest/lib" "$dest/bin" "$dest/include"
+rm -rf "${dest:?}/lib" "${dest:?}/bin" "${dest:?}/include"
 mkdir -p "$dest/lib/$arch/cmake" "$dest/include" "$dest/bin"
 cp -a "$work/tree/usr/lib/." "$dest/lib/"
 cp -a "$work/tree/usr/bin/." "$dest/bin/"

@@ -36,6 +36,7 @@ mkdir -p "$root/src"
 (cd "$sources" && tar -c --exclude='./build*' --exclude=./.git .) | tar -x -C "$root/src"
 
 # Mounted for this run alone: in a namespace of its own, that ends with it.
+# shellcheck disable=SC2016 # expanded in there
 unshare --mount sh -ec '
   root=$1; shift
   mount -t proc proc "$root/proc"
