@@ -1,12 +1,13 @@
 #!/bin/sh
 # chroot.sh RELEASE DIR [release] [paraview] [asan]: makes DIR a clean chroot of a release of Debian
 # (bookworm, trixie, sid) or Ubuntu (noble) and runs Testing/run.sh in it; default all three.
+# MIRROR in the environment: where packages come from, else debootstrap's own choice.
 # Needs root, the package debootstrap and the network; about 5 GB in DIR. A DIR that holds a chroot
 # of an earlier run is used again, with its packages and build folders: delete it to start afresh.
 # The sources are copied, not mounted: what is built there stays there.
 # The last line is that of run.sh: N passed, N failed, N skipped.
 set -e
-usage() { sed -n "2,7s/^# //p" "$0" >&2; exit 2; }
+usage() { sed -n "2,8s/^# //p" "$0" >&2; exit 2; }
 [ $# -ge 2 ] || usage
 release=$1 root=$2
 shift 2
@@ -15,13 +16,13 @@ command -v debootstrap >/dev/null || { echo "chroot.sh: debootstrap is missing" 
 sources=$(cd "$(dirname "$0")/.." && pwd)
 
 case $release in
-  bookworm | trixie | sid) mirror=${MIRROR:-http://deb.debian.org/debian} components=main ;;
-  noble) mirror=${MIRROR:-http://archive.ubuntu.com/ubuntu} components=main,universe ;;
+  bookworm | trixie | sid) components=main ;;
+  noble) components=main,universe ;;
   *) usage ;;
 esac
 
 if [ ! -e "$root/made" ]; then
-  debootstrap --variant=minbase --components="$components" "$release" "$root" "$mirror"
+  debootstrap --variant=minbase --components="$components" "$release" "$root" ${MIRROR:+"$MIRROR"}
   # No services are started in there, and nothing waits for the disk.
   printf '#!/bin/sh\nexit 101\n' > "$root/usr/sbin/policy-rc.d"
   chmod +x "$root/usr/sbin/policy-rc.d"
