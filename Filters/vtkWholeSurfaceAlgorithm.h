@@ -16,7 +16,7 @@
  * Partitions of one vtkPartitionedDataSet are pieces of one block: between them is no feature.
  *
  * For composite input the outputs are of the same class and structure, with its names and other
- * metadata; null blocks stay null, empty ones empty. Then GetOutput() and its like return nullptr:
+ * metadata; null blocks stay null, empty ones empty. Then GetOutput() and its like return nothing:
  * use GetOutputDataObject(). Tables stay tables. In the outputs
  * - each triangle is in the block that most of it lies on, which with features is the only one; a
  *   point that several blocks share is in each, with the same coordinates and `SiteId`;

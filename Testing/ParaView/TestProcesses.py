@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 PLUGIN, OUTPUT_FOLDER = sys.argv[1:3]
-SKIPPED = {"InputCellId", "Time"}
+SKIPPED = {"InputCellId", "Seconds"}
 PLY = os.path.join(OUTPUT_FOLDER, "processes.ply")
 
 
