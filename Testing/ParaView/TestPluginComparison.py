@@ -13,7 +13,7 @@ LoadPlugin(PLUGIN, remote=False, ns=globals())
 PORTS = ["Mesh", "Reference", "Summary", "Histograms"]
 ALONE = {"Quality", "MinimumAngle", "RadiusRatio", "EdgeRatio"}
 PARAMETERS = {"NumberOfSamples", "BoundMaximumDistance", "NumberOfBins", "NumberOfThreads",
-              "SMPBackend"}
+              "SMPBackend", "DistributeOutputs"}
 
 
 def fetch(source, port=0):
