@@ -33,7 +33,7 @@ inline bool abortRequested(vtkAlgorithm* algorithm)
 /** Triangles of a polygon, by its corners 0, 1, ...; 0 where there are none. */
 inline int triangulate(vtkPolygon* polygon, vtkIdList* corners)
 {
-#if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 6
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240101) // between 9.3 and 9.4
   return polygon->TriangulateLocalIds(0, corners);
 #else
   return polygon->Triangulate(corners);
