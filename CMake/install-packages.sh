@@ -8,8 +8,7 @@ common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev python3 
   xvfb xauth"
 vtk="libvtk9-dev python3-vtk9"
 paraview="paraview paraview-dev dpkg-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
-  libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev
-  libqt5svg5 qtbase5-dev qhelpgenerator-qt5 openbox"
+  libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev openbox"
 
 # The Qt of ParaView's window: 5 until ParaView 5.11, then 6.
 release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
