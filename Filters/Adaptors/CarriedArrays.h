@@ -66,15 +66,14 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
  * interpolated linearly (the active normals are then made unit vectors again), and so are colours,
  * unsigned char arrays of 3 or 4 components, to the nearest whole number. All others (integers,
  * ids, bits, strings) may be labels: they take the value of the corner with the largest weight, of
- * equal ones that of the first along the surface's Hilbert curve. O(vertices x components), in
- * parallel.
+ * equal ones that of the lowest id. O(vertices x components), in parallel.
  */
 void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
   vtkPolyData* output, LostArrays& lost);
 
 /**
  * Cell arrays: each triangle takes the value that covers most of it (TriangleCover), where cells of
- * equal values count together; of equal shares, the lowest value. Values are never mixed,
+ * equal values count together; of equal shares, that of the lowest cell id. Values are never mixed,
  * so that labels stay labels. O(vertices of the pieces), in parallel, and only where the values
  * around a triangle differ.
  *
@@ -83,7 +82,7 @@ void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLoca
 void carryCellArrays(const DiagramSource& source, const std::vector<int>& blocks,
   vtkPolyData* output, LostArrays& lost);
 
-/** The block that covers most of each triangle; of equal ones, the lowest. */
+/** The block that covers most of each triangle; of equal ones, that of the lowest cell id. */
 std::vector<int> findTriangleBlocks(const DiagramSource& source);
 
 /**

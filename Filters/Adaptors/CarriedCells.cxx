@@ -5,7 +5,7 @@
  * 1. The input's cells under the pieces of its three cells; where an array has one value on all of
  *    them, that is it.
  * 2. Else the area of each such cell under the triangle, and for each array the sum of the areas
- *    with equal values, in the order of the surface's facets.
+ *    with equal values, in the order of the cells' ids.
  * All that is kept is, for each array and triangle, a cell that has the value.
  */
 #include "Adaptors/ArrayHelpers.h"
@@ -26,7 +26,7 @@ struct CellShare
   double area;
 };
 
-/** The value with the largest area, the lowest of equal ones, as a cell that has it. */
+/** The value with the largest area, as the lowest cell that has it. */
 vtkIdType chooseCell(
   const std::vector<CellShare>& shares, const CellOrder& order, std::vector<CellShare>& scratch)
 {
@@ -48,12 +48,15 @@ vtkIdType chooseCell(
     }
     largest = std::max(largest, scratch[groups - 1].area);
   }
-  std::size_t best = 0;
-  while (best + 1 < groups && !(scratch[best].area >= equal * largest))
+  vtkIdType best = -1;
+  for (std::size_t k = 0; k < groups; ++k)
   {
-    ++best;
+    if (scratch[k].area >= equal * largest && (best < 0 || scratch[k].cell < best))
+    {
+      best = scratch[k].cell;
+    }
   }
-  return groups > 0 ? scratch[best].cell : -1;
+  return best;
 }
 
 /** Finds the cells whose values the triangles of one block take; one per block. */
@@ -134,6 +137,8 @@ private:
     {
       this->Shares.push_back({ this->CellOf(part.facet), part.area });
     }
+    std::stable_sort(this->Shares.begin(), this->Shares.end(),
+      [](const CellShare& a, const CellShare& b) { return a.cell < b.cell; });
   }
 
   const DiagramSource& Source;
@@ -141,7 +146,7 @@ private:
   TriangleCover Cover;
   std::vector<vtkIdType> Cells;
   std::vector<CoverPart> Parts;
-  std::vector<CellShare> Shares; ///< a cell may come several times
+  std::vector<CellShare> Shares; ///< by cell, which may come several times
   std::vector<CellShare> Scratch;
 };
 }

@@ -25,12 +25,11 @@ struct Corners
     , weights(place.b)
     , nearest(0)
   {
-    const Triple& ranks = source.prepared.mesh.facetPoints[place.facet];
     for (const int k : { 1, 2 })
     {
       const bool equal = this->weights[k] == this->weights[this->nearest];
       if (this->weights[k] > this->weights[this->nearest] ||
-        (equal && ranks[k] < ranks[this->nearest]))
+        (equal && this->points[k] < this->points[this->nearest]))
       {
         this->nearest = k;
       }

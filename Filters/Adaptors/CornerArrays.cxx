@@ -1,7 +1,5 @@
 #include "Adaptors/CornerArrays.h"
 
-#include "Support/SortUnique.h"
-
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 
@@ -30,8 +28,6 @@ Status checkTuples(vtkDataArray* array, Offset numberOfInputPoints)
     " tuples for " + std::to_string(numberOfInputPoints) + " points.");
 }
 
-using InputsOfCorner = std::vector<std::pair<Index, Offset>>::const_iterator;
-
 /** The distinct pairs (corner, input point), sorted. */
 std::vector<std::pair<Index, Offset>> inputPointsOfCorners(const SurfaceMesh& mesh)
 {
@@ -47,48 +43,6 @@ std::vector<std::pair<Index, Offset>> inputPointsOfCorners(const SurfaceMesh& me
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
-}
-
-bool isFinite(vtkDataArray* array, Offset point)
-{
-  bool finite = true;
-  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-  {
-    finite = finite && std::isfinite(array->GetComponent(point, c));
-  }
-  return finite;
-}
-
-/**
- * The mean of the distinct tuples at some input points: neither their order counts, nor how many of
- * them have a value, as where a surface was parted and has points twice.
- */
-std::vector<double> meanOfDistinct(vtkDataArray* array, InputsOfCorner first, InputsOfCorner end)
-{
-  const auto size = static_cast<std::size_t>(array->GetNumberOfComponents());
-  std::vector<double> mean(size);
-  array->GetTuple(first->second, mean.data());
-  if (end - first == 1)
-  {
-    return mean;
-  }
-  std::vector<std::vector<double>> tuples;
-  for (; first != end; ++first)
-  {
-    tuples.emplace_back(size);
-    array->GetTuple(first->second, tuples.back().data());
-  }
-  sortUnique(tuples);
-  std::fill(mean.begin(), mean.end(), 0.0);
-  for (std::size_t k = 0; k < tuples.size(); ++k)
-  {
-    for (std::size_t c = 0; c < size; ++c)
-    {
-      // A running mean: exact where all values are equal.
-      mean[c] += (tuples[k][c] - mean[c]) / static_cast<double>(k + 1);
-    }
-  }
-  return mean;
 }
 
 /** False for arrays that are not of doubles or floats, tuple after tuple, or too short. */
@@ -159,22 +113,23 @@ Status appendCornerArray(const SurfaceMesh& mesh, vtkDataArray* array, double sc
     return coordinates.values.data() + corner * static_cast<std::size_t>(coordinates.dimension) +
       before;
   };
-  const std::vector<std::pair<Index, Offset>> inputs = inputPointsOfCorners(mesh);
-  for (const auto& [corner, point] : inputs)
+  std::vector<double> tuple(static_cast<std::size_t>(size));
+  std::vector<Index> counts(corners, 0);
+  for (const auto& [corner, point] : inputPointsOfCorners(mesh))
   {
-    if (!isFinite(array, point))
+    array->GetTuple(point, tuple.data());
+    ++counts[corner];
+    double* mean = rowOf(static_cast<std::size_t>(corner));
+    for (int c = 0; c < size; ++c)
     {
-      return Status::invalid(nameOf(array) + " has a value that is not a finite number at point " +
-        std::to_string(point) + ".");
+      if (!std::isfinite(tuple[c]))
+      {
+        return Status::invalid(nameOf(array) +
+          " has a value that is not a finite number at point " + std::to_string(point) + ".");
+      }
+      // A running mean: exact where all values are equal.
+      mean[c] += (tuple[c] - mean[c]) / counts[corner];
     }
-  }
-  for (auto first = inputs.begin(); first != inputs.end();)
-  {
-    const auto end = std::find_if(
-      first, inputs.end(), [&](const auto& input) { return input.first != first->first; });
-    const std::vector<double> mean = meanOfDistinct(array, first, end);
-    std::copy(mean.begin(), mean.end(), rowOf(static_cast<std::size_t>(first->first)));
-    first = end;
   }
   for (std::size_t corner = 0; corner < corners; ++corner)
   {

@@ -17,8 +17,8 @@ class vtkDataArray;
 namespace remesh
 {
 /**
- * Appends `scale` times the array's value at each corner, the mean of the distinct values of the
- * input points merged into it. Holds the old and the new coordinates at once.
+ * Appends `scale` times the array's value at each corner, the mean over the distinct input points
+ * merged into it. Holds the old and the new coordinates at once.
  *
  * @param coordinates of the corners so far; of dimension 0 at first.
  * @return InvalidInput, with the array's name, for a wrong number of tuples or a value at a used

@@ -1,12 +1,12 @@
 /**
  * @file PolygonTriangulator.cxx
  *
- * 1. Take the polygon's points without consecutive repetitions, from the least on: its loop.
+ * 1. Take the polygon's points without consecutive repetitions: its loop.
  * 2. A loop of up to three points is one triangle as it is, one of none is nothing.
  * 3. Scale larger ones to a size of about 1: what cuts them has tolerances that are lengths.
  * 4. Four points: along one of the diagonals.
  * 5. More: by vtkPolygon or, where that does not find all triangles, by clipEars.
- * 6. What neither can cut, and what cannot be scaled, becomes a fan around its least point.
+ * 6. What neither can cut, and what cannot be scaled, becomes a fan around its first point.
  *
  * Each way makes n - 2 triangles of a loop of n >= 3 points, and adds no points.
  * Cost: O(n), but about O(n^2) for step 5.
@@ -15,7 +15,6 @@
 
 #include "Adaptors/EarClipping.h"
 #include "Adaptors/VTKCompatibility.h"
-#include "Mesh/FacetOrder.h"
 
 #include "vtkIdList.h"
 #include "vtkPoints.h"
@@ -40,7 +39,6 @@ bool PolygonTriangulator::AppendTriangles(
   vtkIdType size, const vtkIdType* ids, Triangles& triangles)
 {
   this->TakeLoop(size, ids);
-  this->StartAtLeast();
   switch (this->Loop.size())
   {
     case 0:
@@ -68,34 +66,6 @@ void PolygonTriangulator::TakeLoop(vtkIdType size, const vtkIdType* ids)
   {
     this->Loop.pop_back();
   }
-}
-
-/** Whether the loop from one place on comes before that from another, point by point. */
-bool PolygonTriangulator::ComesBefore(std::size_t start, std::size_t other) const
-{
-  const std::size_t size = this->Loop.size();
-  for (std::size_t k = 0; k < size; ++k)
-  {
-    const Point3& a = this->Points[this->Loop[(start + k) % size]];
-    const Point3& b = this->Points[this->Loop[(other + k) % size]];
-    if (isBefore(a, b) || isBefore(b, a))
-    {
-      return isBefore(a, b);
-    }
-  }
-  return false;
-}
-
-/** Which point a polygon starts with is to make no difference. */
-void PolygonTriangulator::StartAtLeast()
-{
-  std::size_t least = 0;
-  for (std::size_t k = 1; k < this->Loop.size(); ++k)
-  {
-    least = this->ComesBefore(k, least) ? k : least;
-  }
-  std::rotate(
-    this->Loop.begin(), this->Loop.begin() + static_cast<std::ptrdiff_t>(least), this->Loop.end());
 }
 
 /**

@@ -21,13 +21,11 @@ namespace remesh
 /**
  * Cuts polygons one after the other, in memory that it keeps from one to the next.
  *
- * - A quadrilateral is cut along its shorter diagonal (a tie: that of its least point), unless
+ * - A quadrilateral is cut along its shorter diagonal (a tie: the one of its first point), unless
  *   that diagonal lies outside or on the border (the two triangles oppose each other, or one has
  *   no area) and the other does not.
  * - Larger polygons are cut by vtkPolygon, or by clipEars where vtkPolygon gives up, as it does
  *   on holes with bridges to them. One that crosses itself so that neither cuts it becomes a fan.
- * - The least point is the first by coordinates; the triangles are the same whichever point the
- *   polygon starts with.
  * - Repeated consecutive points of a polygon count once. A polygon that has one or two points left
  *   becomes one degenerate triangle; one without points none.
  */
@@ -53,8 +51,6 @@ public:
 
 private:
   void TakeLoop(vtkIdType size, const vtkIdType* ids);
-  bool ComesBefore(std::size_t start, std::size_t other) const;
-  void StartAtLeast();
   bool ScaleLoop();
   bool CutsInside(int corner) const;
   bool TriangulateLoop();
@@ -65,7 +61,7 @@ private:
   void AppendFan(Triangles& triangles) const;
 
   const std::vector<Point3>& Points;
-  std::vector<Offset> Loop;   ///< the polygon's points from the least on, without repetitions
+  std::vector<Offset> Loop;   ///< the polygon's points, without consecutive repetitions
   std::vector<Point3> Scaled; ///< where these are, at a size of about 1
   Triangles Corners;          ///< the loop's triangles, by places in the loop
   vtkNew<vtkPolygon> Polygon;

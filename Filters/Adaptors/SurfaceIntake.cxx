@@ -12,22 +12,18 @@
  */
 #include "Adaptors/SurfaceIntake.h"
 
-#include "Adaptors/CellOrder.h"
 #include "Adaptors/PolygonTriangulator.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <string>
@@ -192,46 +188,6 @@ Status readStrips(vtkPolyData* input, TriangleSoup& soup)
   return readCells(strips, firstCell, append, soup);
 }
 
-/** Orders of all arrays whose values can be told apart, one tuple for each point or cell. */
-std::vector<CellOrder> ordersOf(vtkDataSetAttributes* data, vtkIdType tuples)
-{
-  std::vector<CellOrder> orders;
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(k);
-    const bool isOrdered = vtkDataArray::SafeDownCast(array) || vtkStringArray::SafeDownCast(array);
-    if (isOrdered && array->GetNumberOfTuples() == tuples)
-    {
-      orders.push_back(orderOf(array));
-    }
-  }
-  return orders;
-}
-
-/** Compares two triangles by the cells' values, then by the points'. */
-void addComparison(vtkPolyData* input, TriangleSoup& soup)
-{
-  using Corners = std::array<Offset, 3>;
-  soup.compareValues = [ofCells = ordersOf(input->GetCellData(), input->GetNumberOfCells()),
-                         ofPoints = ordersOf(input->GetPointData(), input->GetNumberOfPoints())](
-                         Offset cell, const Corners& points, Offset other, const Corners& others)
-  {
-    int result = 0;
-    for (std::size_t k = 0; k < ofCells.size() && result == 0; ++k)
-    {
-      result = ofCells[k](cell, other);
-    }
-    for (std::size_t k = 0; k < ofPoints.size() && result == 0; ++k)
-    {
-      for (std::size_t c = 0; c < points.size() && result == 0; ++c)
-      {
-        result = ofPoints[k](points[c], others[c]);
-      }
-    }
-    return result;
-  };
-}
-
 /**
  * Leaves out the triangles of ghost cells: what is hidden, and what another process has as its own
  * (as VTK's filters that measure or draw surfaces do).
@@ -305,7 +261,6 @@ Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup, std::string* war
     *warning = std::to_string(crossing) + " polygons cross themselves: their triangles overlap.";
   }
   removeGhosts(input, soup);
-  addComparison(input, soup);
   return soup.triangles.empty() && input->GetCellGhostArray()
     ? Status::empty("All cells of the surface are ghosts.")
     : Status::success();

@@ -48,29 +48,21 @@ void testMerging()
     const TriangleSoup apart = exploded(soup); // where facets have their own points at one place
     for (Index f = 0; f < mesh.numberOfFacets(); ++f)
     {
-      CHECK(test::fromLeast(mesh.facetInputPoints[f]) ==
-        test::fromLeast(apart.triangles[mesh.facetInputCells[f]]));
+      CHECK(mesh.facetInputPoints[f] == apart.triangles[mesh.facetInputCells[f]]);
     }
   }
-  // The next double is another point, but for 0.
+  // The next double is another point.
   TriangleSoup crack = exploded(test::gridPatch(1, 1));
-  Point3& moved = *std::find_if(crack.points.begin() + 3, crack.points.end(),
-    [&](const Point3& p) { return p[0] == 1.0 && p[1] != crack.points[3][1]; });
-  moved[0] = std::nextafter(1.0, 2.0);
+  crack.points[3][0] = std::nextafter(0.0, 1.0);
   IntakeReport report;
   SurfaceMesh mesh;
   CHECK(test::takeIn(crack, mesh, report).ok());
   CHECK_EQUAL(report.mergedPoints, 1);
   CHECK_EQUAL(report.boundaryEdges, 6);
   CHECK_EQUAL(report.nearBorderPoints, 1);
-  moved[0] = 1.0 + 1e-6;
+  crack.points[3][0] = 1e-6;
   CHECK(test::takeIn(crack, mesh, report).ok());
   CHECK_EQUAL(report.nearBorderPoints, 0);
-  moved[0] = 1.0;
-  crack.points[3][0] = -1e-16;
-  CHECK(test::takeIn(crack, mesh, report).ok());
-  CHECK_EQUAL(report.mergedPoints, 2);
-  CHECK_EQUAL(report.boundaryEdges, 4);
 }
 
 /** A grid bent to a tube whose last column of points is the first one again, but for rounding. */

@@ -274,13 +274,6 @@ TriangleSoup voxelSurface(int n, const Inside& inside)
   return makeSoup(std::move(points), std::move(triangles));
 }
 
-/** The ids from the least on, in the same sense of rotation. */
-inline std::array<Offset, 3> fromLeast(std::array<Offset, 3> ids)
-{
-  std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
-  return ids;
-}
-
 /** Turns a triangle round. */
 inline void flip(TriangleSoup& soup, std::size_t triangle)
 {

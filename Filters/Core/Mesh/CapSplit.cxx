@@ -51,12 +51,11 @@ public:
         this->enter(static_cast<Index>(f));
       }
     }
-    std::vector<std::array<Offset, 3>> inputs(m_draft.facets.size());
-    for (std::size_t f = 0; f < inputs.size(); ++f)
+    m_draft.facetInputs.reserve(m_draft.facets.size());
+    for (const Index triangle : m_draft.facetTriangles)
     {
-      inputs[f] = m_draft.inputsOf(m_soup, static_cast<Offset>(f));
+      m_draft.facetInputs.push_back(m_soup.triangles[triangle]);
     }
-    m_draft.facetInputs = std::move(inputs);
     for (std::size_t splits = mostSplits * caps.size(); !caps.empty() && splits > 0 &&
          static_cast<std::int64_t>(m_draft.facets.size()) < maximumInputTriangles &&
          !control.cancelled();
@@ -169,7 +168,6 @@ private:
     const Index part = this->placeForFacet();
     m_draft.facets[part] = whole;
     m_draft.facetTriangles[part] = m_draft.facetTriangles[facet];
-    m_draft.facetTurns[part] = m_draft.facetTurns[facet];
     m_draft.facetInputs[part] = inputs;
     m_marked[part] = m_gone[part] = 0;
     m_draft.facets[facet][second] = point;
@@ -198,7 +196,6 @@ private:
     const std::size_t count = m_draft.facets.size();
     m_draft.facets.resize(count + 1);
     m_draft.facetTriangles.resize(count + 1);
-    m_draft.facetTurns.resize(count + 1);
     m_draft.facetInputs.resize(count + 1);
     m_marked.resize(count + 1);
     m_gone.resize(count + 1);

@@ -2,7 +2,7 @@
  * @file Duplicates.cxx
  *
  * 1. Put the facets into one bucket per lowest point.
- * 2. Sort each bucket by the other two points, then by facet: repetitions follow each other.
+ * 2. Sort each bucket by the other two points, then by facet: repetitions follow their original.
  */
 #include "Mesh/Duplicates.h"
 
@@ -17,7 +17,6 @@ struct BucketEntry
 {
   std::array<Index, 2> points; ///< ascending
   Index facet;
-  bool isTurned; ///< against the order lowest point, `points`
 
   bool operator<(const BucketEntry& other) const
   {
@@ -25,26 +24,10 @@ struct BucketEntry
   }
 };
 
-BucketEntry makeEntry(Triple facet, Index number)
+Triple sorted(Triple facet)
 {
-  std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-  const auto [lower, higher] = std::minmax(facet[1], facet[2]);
-  return { { lower, higher }, number, facet[1] > facet[2] };
-}
-
-using Entries = std::vector<BucketEntry>::const_iterator;
-
-/** Marks all but one of the facets on the same points. */
-void markRun(Entries first, Entries end, std::vector<unsigned char>& duplicate)
-{
-  const auto isLikeFirst = [turned = first->isTurned](const BucketEntry& entry)
-  { return entry.isTurned == turned; };
-  const bool keepsFirst = 2 * std::count_if(first, end, isLikeFirst) >= end - first;
-  const Index kept = keepsFirst ? first->facet : std::find_if_not(first, end, isLikeFirst)->facet;
-  for (; first != end; ++first)
-  {
-    duplicate[first->facet] = first->facet != kept;
-  }
+  std::sort(facet.begin(), facet.end());
+  return facet;
 }
 }
 
@@ -74,18 +57,13 @@ std::vector<unsigned char> findDuplicates(
         entries.clear();
         for (Offset k = buckets.begins[point]; k < buckets.begins[point + 1]; ++k)
         {
-          entries.push_back(makeEntry(facetPoints[buckets.items[k]], buckets.items[k]));
+          const Triple points = sorted(facetPoints[buckets.items[k]]);
+          entries.push_back({ { points[1], points[2] }, buckets.items[k] });
         }
         std::sort(entries.begin(), entries.end());
-        for (auto first = entries.cbegin(); first != entries.cend();)
+        for (std::size_t k = 1; k < entries.size(); ++k)
         {
-          const auto last = std::find_if(first, entries.cend(),
-            [&](const BucketEntry& entry) { return entry.points != first->points; });
-          if (last - first > 1)
-          {
-            markRun(first, last, duplicate);
-          }
-          first = last;
+          duplicate[entries[k].facet] = entries[k].points == entries[k - 1].points;
         }
       }
     });

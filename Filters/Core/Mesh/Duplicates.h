@@ -13,9 +13,7 @@
 namespace remesh
 {
 /**
- * 1 for each facet on the same three points as another one that is kept, whatever the sense of
- * rotation: the first of those that turn as most of them do, or if as many turn either way as the
- * first one.
+ * 1 for each facet on the same three points as an earlier facet, whatever the sense of rotation.
  *
  * @param facetPoints F x 3, ids from 0; buckets are kept up to the highest.
  * @param control asked for cancellation; the result of a cancelled run is of no use.

@@ -4,15 +4,15 @@
  * 1. Check sizes and ids; collect the points that triangles use; check their coordinates
  *    (IntakeDraft).
  * 2. Merge coincident points (Weld), and the ends of sides that are nothing but rounding.
- * 3. Turn the facets to their least corner, and order them along a Hilbert curve (FacetOrder).
- *    From here on nothing depends on the order of the input.
- * 4. Drop degenerate triangles, without opening slits (CapSplit), then duplicates (Duplicates).
- * 5. Make the orientation consistent shell by shell (Orientation).
- * 6. Number the points in the order in which the facets meet them, and write the mesh.
+ * 3. Drop degenerate triangles, without opening slits (CapSplit), then duplicates (Duplicates).
+ * 4. Make the orientation consistent shell by shell (Orientation), in the order of the input, so
+ *    that "the first facet" means the caller's first.
+ * 5. Order the facets along a Hilbert curve (SpatialOrder), number the points in the order in
+ *    which the facets then meet them, and write the mesh.
  *
  * Cost: O(T), sorts included, with the default merge distance, in parallel but for shells whose
  * facets disagree, and for borders. The caller's triangle is known by
- * its number up to step 6, so that the ids of cells and points are copied once.
+ * its number up to step 5, so that the ids of cells and points are copied once.
  */
 #include "Mesh/Intake.h"
 
@@ -21,9 +21,9 @@
 #include "Mesh/EdgeTable.h"
 #include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
-#include "Mesh/FacetOrder.h"
 #include "Mesh/IntakeDraft.h"
 #include "Mesh/Orientation.h"
+#include "Mesh/SpatialOrder.h"
 #include "Mesh/Weld.h"
 #include "Support/DisjointSets.h"
 #include "Support/Grouping.h"
@@ -41,21 +41,11 @@ namespace
 {
 constexpr double shortSide = 1e-6; // of the longest one of a facet, if it may be but rounding
 
-/** Merged points lie where the least of them lies, by coordinates. */
-void placeMergedPoints(const std::vector<Index>& lowest, std::vector<Point3>& points)
-{
-  for (std::size_t k = 0; k < lowest.size(); ++k)
-  {
-    Point3& place = points[lowest[k]];
-    place = isBefore(points[k], place) ? points[k] : place;
-  }
-}
-
 /**
  * Makes the ends of sides that are nothing but rounding one point, the lowest. They are also short
  * against their facets, lest a part that is small against the distance to another one goes.
  */
-bool mergeShortSides(Draft& draft, const RunControl& control, std::vector<Index>& lowest)
+bool mergeShortSides(const Draft& draft, const RunControl& control, std::vector<Index>& lowest)
 {
   const double least = roundingOfPoints(draft.points);
   const auto count = static_cast<Offset>(draft.facets.size());
@@ -101,7 +91,6 @@ bool mergeShortSides(Draft& draft, const RunControl& control, std::vector<Index>
   {
     point = sets.find(point);
   }
-  placeMergedPoints(lowest, draft.points);
   return true;
 }
 
@@ -116,10 +105,6 @@ Status mergePoints(
   }
   std::vector<Index> lowest = distance > 0.0 ? weldNearPoints(draft.points, distance, control)
                                              : weldEqualPoints(draft.points, control);
-  if (distance > 0.0)
-  {
-    placeMergedPoints(lowest, draft.points);
-  }
   if (control.cancelled() || !mergeShortSides(draft, control.silent(), lowest))
   {
     return Status::cancelled();
@@ -147,7 +132,6 @@ Offset removeFacets(const std::vector<unsigned char>& marked, Draft& draft)
     {
       draft.facets[kept] = draft.facets[f];
       draft.facetTriangles[kept] = draft.facetTriangles[f];
-      draft.facetTurns[kept] = draft.facetTurns[f];
       if (!draft.facetInputs.empty())
       {
         draft.facetInputs[kept] = draft.facetInputs[f];
@@ -158,17 +142,8 @@ Offset removeFacets(const std::vector<unsigned char>& marked, Draft& draft)
   const auto dropped = static_cast<Offset>(draft.facets.size() - kept);
   draft.facets.resize(kept);
   draft.facetTriangles.resize(kept);
-  draft.facetTurns.resize(kept);
   draft.facetInputs.resize(draft.facetInputs.empty() ? 0 : kept);
   return dropped;
-}
-
-/** Puts the facets in an order that only the surface decides, and the corners of each. */
-bool turnAndOrder(const TriangleSoup& soup, const RunControl& control, Draft& draft,
-  std::vector<unsigned char>& marked)
-{
-  return turnFacets(control, draft) && !control.cancelled() &&
-    moveFacets(orderFacets(soup, draft, control), control, draft, marked);
 }
 
 Status dropBadFacets(
@@ -176,14 +151,13 @@ Status dropBadFacets(
 {
   const auto count = static_cast<Offset>(draft.facets.size());
   std::vector<unsigned char> marked(draft.facets.size(), 0);
-  if (!turnAndOrder(soup, control, draft, marked) ||
-    !forEachItem(count, control.silent(),
-      [&](Offset f)
-      {
-        const auto& [a, b, c] = draft.facets[f];
-        marked[f] =
-          a == b || b == c || c == a || !hasArea(draft.points[a], draft.points[b], draft.points[c]);
-      }))
+  if (!forEachItem(count, control.silent(),
+        [&](Offset f)
+        {
+          const auto& [a, b, c] = draft.facets[f];
+          marked[f] = a == b || b == c || c == a ||
+            !hasArea(draft.points[a], draft.points[b], draft.points[c]);
+        }))
   {
     return Status::cancelled();
   }
@@ -197,11 +171,6 @@ Status dropBadFacets(
     removeFacets(marked, draft);
     report.addedBySplits =
       static_cast<Offset>(draft.facets.size()) + report.droppedDegenerate - count;
-    marked.resize(draft.facets.size()); // of no use any more
-    if (!draft.facetInputs.empty() && !turnAndOrder(soup, control, draft, marked))
-    {
-      return Status::cancelled();
-    }
   }
   report.droppedDuplicate = removeFacets(findDuplicates(draft.facets, control), draft);
   if (control.cancelled())
@@ -277,30 +246,45 @@ Orientation orient(const Draft& draft, const RunControl& control, IntakeReport& 
   return orientation;
 }
 
-/** Turns round what is to be turned, and copies the caller's ids. */
-bool writeFacets(const TriangleSoup& soup, const Orientation& orientation,
-  const RunControl& control, Draft& draft, std::vector<std::array<Offset, 3>>& inputs,
-  SurfaceMesh& mesh)
+std::vector<Index> orderFacets(const Draft& draft, const RunControl& control)
 {
-  inputs.resize(draft.facets.size());
-  mesh.facetInputCells.resize(draft.facets.size());
-  return forEachItem(static_cast<Offset>(draft.facets.size()), control,
+  std::vector<Point3> centroids(draft.facets.size());
+  const bool done = forEachItem(static_cast<Offset>(centroids.size()), control.silent(),
     [&](Offset f)
     {
-      mesh.facetInputCells[f] = soup.inputCells[draft.facetTriangles[f]];
-      inputs[f] = draft.inputsOf(soup, f);
-      if (orientation.flipped[f])
+      const auto& [a, b, c] = draft.facets[f];
+      centroids[f] = (draft.points[a] + draft.points[b] + draft.points[c]) / 3.0;
+    });
+  return done ? orderAlongHilbertCurve(centroids, control) : std::vector<Index>(centroids.size());
+}
+
+bool writeFacets(const TriangleSoup& soup, const Draft& draft, const Orientation& orientation,
+  const std::vector<Index>& order, const RunControl& control, std::vector<Triple>& facets,
+  std::vector<std::array<Offset, 3>>& inputs, SurfaceMesh& mesh)
+{
+  facets.resize(order.size());
+  inputs.resize(order.size());
+  mesh.facetInputCells.resize(order.size());
+  return forEachItem(static_cast<Offset>(order.size()), control,
+    [&](Offset f)
+    {
+      const Index source = order[f];
+      const Index triangle = draft.facetTriangles[source];
+      facets[f] = draft.facets[source];
+      mesh.facetInputCells[f] = soup.inputCells[triangle];
+      inputs[f] = draft.facetInputs.empty() ? soup.triangles[triangle] : draft.facetInputs[source];
+      if (orientation.flipped[source])
       {
-        std::swap(draft.facets[f][1], draft.facets[f][2]);
+        std::swap(facets[f][1], facets[f][2]);
         std::swap(inputs[f][1], inputs[f][2]);
       }
     });
 }
 
-/** Numbers the points as facets meet them, writes them, and makes the facets name these numbers. */
-bool numberPoints(const RunControl& control, Draft& draft, SurfaceMesh& mesh)
+/** Replaces the draft's point ids in the mesh's facets, numbering points as facets meet them. */
+bool numberPoints(
+  const Draft& draft, const RunControl& control, std::vector<Triple>& facets, SurfaceMesh& mesh)
 {
-  std::vector<Triple>& facets = draft.facets;
   const Offset uses = 3 * static_cast<Offset>(facets.size());
   const auto pointOf = [&](Offset use) -> Index& { return facets[use / 3][use % 3]; };
   LowestItems firstUses(draft.points.size());
@@ -372,10 +356,13 @@ Status takeIn(const TriangleSoup& soup, const IntakeOptions& options, const RunC
     return Status::cancelled();
   }
   const RunControl silent = control.silent();
+  const std::vector<Index> order = orderFacets(draft, silent);
+  std::vector<Triple> facets;
   std::vector<std::array<Offset, 3>> inputs;
-  const bool numbered = writeFacets(soup, orientation, silent, draft, inputs, mesh) &&
-    numberPoints(silent, draft, mesh);
-  mesh.facetPoints = std::move(draft.facets);
+  const bool numbered = !control.cancelled() &&
+    writeFacets(soup, draft, orientation, order, silent, facets, inputs, mesh) &&
+    numberPoints(draft, silent, facets, mesh);
+  mesh.facetPoints = std::move(facets);
   mesh.facetCorners = mesh.facetPoints;
   if (!numbered || !countComponents(mesh, silent, report.components))
   {

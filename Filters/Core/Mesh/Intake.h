@@ -22,7 +22,7 @@ struct IntakeOptions
 {
   /**
    * Points closer than this are one point, and so are chains of them; same length unit as the
-   * points. They lie where the first of them lies, by coordinates. 0: equal coordinates only
+   * points. The lowest of the caller's points gives the position. 0: equal coordinates only
    * (-0 equals +0), and the ends of sides that are nothing but rounding.
    */
   double mergeDistance = 0.0;
@@ -32,7 +32,7 @@ struct IntakeReport
 {
   Offset droppedDegenerate = 0; ///< triangles with two equal points or no area
   Offset addedBySplits = 0;     ///< facets, beside others that were dropped (CapSplit.h)
-  Offset droppedDuplicate = 0;  ///< triangles on the same three points as another one
+  Offset droppedDuplicate = 0;  ///< triangles on the same three points as an earlier one
   Offset mergedPoints = 0;      ///< used input points that became another one's
   Offset flippedFacets = 0;     ///< turned round to make the orientation consistent
   Index components = 0;         ///< connected through shared points
@@ -48,7 +48,6 @@ struct IntakeReport
  * Merges coincident points, drops degenerate and duplicate triangles and unused points, makes the
  * orientation consistent, and orders facets and points along a Hilbert curve.
  *
- * - Coordinates that are nothing but rounding beside 0 become 0 (IntakeDraft.h).
  * - Coincident: by `mergeDistance`, or the ends of a side that is nothing but rounding
  *   (`roundingOfPoints`), as between the first and the last points of a closed grid.
  * - Degenerate: two corners are one point, or their area is nothing but rounding error
@@ -56,11 +55,9 @@ struct IntakeReport
  *   corners are on a line between other triangles, the one across the longest side is split at the
  *   middle corner (CapSplit.h).
  * - Orientation: see `findOrientation`. A consistent input keeps its own, inside out or not.
- * - The first corner of a facet is the first by coordinates; turning it round exchanges the others.
- * - Facets follow the Hilbert curve of their centroids (ties: FacetOrder.h), points the order in
+ * - A facet keeps its first corner; turning it round exchanges the other two.
+ * - Facets follow the Hilbert curve of their centroids (ties: input order), points the order in
  *   which the facets meet them. `facetCorners` equals `facetPoints`.
- * - The order of the soup's points, triangles and corners has no part in the mesh, nor have points
- *   in one place; only which ids the caller's points and cells have.
  *
  * @return InvalidInput for ids out of range, more than `maximumInputTriangles`, used points that
  *         are not finite or beyond `largestCoordinate`, a surface below `smallestExtent`, or a

@@ -2,10 +2,6 @@
 
 #include "Support/Grouping.h"
 
-#include <algorithm>
-#include <atomic>
-#include <cmath>
-
 namespace remesh
 {
 namespace
@@ -90,7 +86,6 @@ Status collectUsedPoints(const TriangleSoup& soup, const RunControl& control, Dr
   }
   draft.facets.resize(soup.triangles.size());
   draft.facetTriangles.resize(soup.triangles.size());
-  draft.facetTurns.assign(soup.triangles.size(), 0);
   return forEachItem(count, silent,
            [&](Offset t)
            {
@@ -102,7 +97,7 @@ Status collectUsedPoints(const TriangleSoup& soup, const RunControl& control, Dr
     : Status::cancelled();
 }
 
-Status checkCoordinates(const Draft& draft, double& diagonal)
+Status checkCoordinates(const Draft& draft)
 {
   Point3 lower = Point3::Zero();
   Point3 upper = Point3::Zero();
@@ -128,92 +123,8 @@ Status checkCoordinates(const Draft& draft, double& diagonal)
     return Status::invalid(sentence("The surface is too small: its longest extent, ", extent,
       ", is below ", smallestExtent, "; scale it up."));
   }
-  diagonal = (upper - lower).norm();
   return Status::success();
 }
-
-/** Coordinates that are nothing but rounding: below 1e-14 of the diagonal, and 1e-6 of facets. */
-class ZeroRounding
-{
-public:
-  ZeroRounding(double diagonal, Draft& draft)
-    : m_least(1e-14 * diagonal)
-    , m_draft(draft)
-    , m_states(draft.points.size())
-  {
-  }
-
-  /** Makes them 0, and -0, too. @return false when cancelled. */
-  bool run(const RunControl& control)
-  {
-    std::atomic<bool> isAny = false;
-    const auto points = static_cast<Offset>(m_draft.points.size());
-    const bool found = forEachItem(points, control,
-      [&](Offset k)
-      {
-        m_draft.points[k] += Point3::Zero(); // -0 to +0
-        if (this->isSmall(m_draft.points[k], m_least))
-        {
-          m_states[k].store(Small, std::memory_order_relaxed);
-          isAny.store(true, std::memory_order_relaxed);
-        }
-      });
-    return found &&
-      (!isAny.load() ||
-        (forEachItem(static_cast<Offset>(m_draft.facets.size()), control,
-           [&](Offset f) { this->keepDetails(m_draft.facets[f]); }) &&
-          forEachItem(points, control,
-            [&](Offset k)
-            {
-              if (m_states[k].load(std::memory_order_relaxed) == Small)
-              {
-                m_draft.points[k] = m_draft.points[k].unaryExpr(
-                  [this](double x) { return std::abs(x) < m_least ? 0.0 : x; });
-              }
-            })));
-  }
-
-private:
-  enum State : unsigned char
-  {
-    Plain, ///< what the array starts with
-    Small,
-    Kept
-  };
-
-  /** Whether a coordinate other than 0 is below this. */
-  static bool isSmall(const Point3& point, double least)
-  {
-    return (point.array() != 0.0 && point.array().abs() < least).any();
-  }
-
-  /** A part that is small against the distance to another one is to stay. */
-  void keepDetails(const Triple& facet)
-  {
-    for (const Index corner : facet)
-    {
-      if (m_states[corner].load(std::memory_order_relaxed) == Plain)
-      {
-        continue;
-      }
-      double longest = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        longest =
-          std::max(longest, (m_draft.points[facet[k]] - m_draft.points[facet[(k + 1) % 3]]).norm());
-      }
-      const auto values = m_draft.points[corner].array().abs();
-      if ((values < m_least && values >= 1e-6 * longest && values > 0.0).any())
-      {
-        m_states[corner].store(Kept, std::memory_order_relaxed);
-      }
-    }
-  }
-
-  double m_least;
-  Draft& m_draft;
-  std::vector<std::atomic<unsigned char>> m_states;
-};
 }
 
 Status draftSoup(const TriangleSoup& soup, const RunControl& control, Draft& draft)
@@ -223,15 +134,6 @@ Status draftSoup(const TriangleSoup& soup, const RunControl& control, Draft& dra
   {
     status = collectUsedPoints(soup, control, draft);
   }
-  double diagonal = 0.0;
-  if (status.ok())
-  {
-    status = checkCoordinates(draft, diagonal);
-  }
-  if (!status.ok())
-  {
-    return status;
-  }
-  return ZeroRounding(diagonal, draft).run(control.silent()) ? status : Status::cancelled();
+  return status.ok() ? checkCoordinates(draft) : status;
 }
 }

@@ -11,28 +11,15 @@
 
 namespace remesh
 {
-/** The surface between soup and mesh. */
+/** The surface between soup and mesh, in the order of the soup. */
 struct Draft
 {
-  std::vector<Offset> inputPoints;       ///< U, the caller's ids of the used points, ascending
-  std::vector<Point3> points;            ///< U
-  std::vector<Triple> facets;            ///< F x 3, into `points`
-  std::vector<Index> facetTriangles;     ///< F, into the soup's triangles
-  std::vector<unsigned char> facetTurns; ///< F, the corner of the triangle that comes first
+  std::vector<Offset> inputPoints;   ///< U, the caller's ids of the used points, ascending
+  std::vector<Point3> points;        ///< U
+  std::vector<Triple> facets;        ///< F x 3, into `points`
+  std::vector<Index> facetTriangles; ///< F, into the soup's triangles
   /** F x 3, the caller's points, if facets were split (CapSplit.h); else empty: the triangles'. */
   std::vector<std::array<Offset, 3>> facetInputs;
-
-  /** The caller's points at the corners of a facet. */
-  std::array<Offset, 3> inputsOf(const TriangleSoup& soup, Offset facet) const
-  {
-    if (!this->facetInputs.empty())
-    {
-      return this->facetInputs[facet];
-    }
-    const auto& ids = soup.triangles[this->facetTriangles[facet]];
-    const int first = this->facetTurns[facet];
-    return { ids[first], ids[(first + 1) % 3], ids[(first + 2) % 3] };
-  }
 };
 
 template <class... Parts>
@@ -45,8 +32,6 @@ std::string sentence(const Parts&... parts)
 
 /**
  * Checks the sizes, ids and coordinates of a soup and takes over its triangles and used points.
- * Coordinates below 1e-14 of the bounding box's diagonal, and 1e-6 of the facets there, are 0: what
- * a source computes as the sine of a half turn, say, depends on the part that it computes.
  *
  * @return what buildSurfaceMesh says of unusable input, or Cancelled.
  */

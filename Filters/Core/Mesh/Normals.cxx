@@ -16,12 +16,10 @@
 #include "Mesh/EdgeTable.h"
 #include "Mesh/FacetGeometry.h"
 #include "Support/Parallel.h"
-#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 
 namespace remesh
 {
@@ -192,66 +190,22 @@ std::vector<char> findCutPoints(const SurfaceMesh& mesh)
   return corners;
 }
 
-using Coordinates = std::array<double, 3>;
-
-Coordinates valuesOf(const Point3& normal)
-{
-  return { normal[0] + 0.0, normal[1] + 0.0, normal[2] + 0.0 }; // -0 to +0
-}
-
-/** One of the caller's points at a point of the surface that was cut into several corners. */
-struct CutInput
-{
-  Index point;
-  Coordinates normal;
-  Index corner;
-  Offset input;
-
-  bool isLike(const CutInput& other) const
-  {
-    return this->point == other.point && this->normal == other.normal;
-  }
-};
-
-/** Once for each facet that uses it there; those with one normal at one point follow each other. */
-std::vector<CutInput> collectCutInputs(
-  const SurfaceMesh& mesh, const std::vector<Point3>& inputNormals)
+/** Input points that lie in several corners of one point: their normals belong to none of them. */
+std::vector<char> findSharedInputs(const SurfaceMesh& mesh, std::size_t numberOfInputs)
 {
   const std::vector<char> cut = findCutPoints(mesh);
-  std::vector<CutInput> uses;
+  std::vector<Index> corner(numberOfInputs, noIndex);
+  std::vector<char> shared(numberOfInputs, 0);
   for (std::size_t f = 0; f < mesh.facetCorners.size(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (const Index point = mesh.facetPoints[f][k]; cut[point])
+      const Offset input = mesh.facetInputPoints[f][k];
+      if (cut[mesh.facetPoints[f][k]])
       {
-        const Offset input = mesh.facetInputPoints[f][k];
-        uses.push_back({ point, valuesOf(inputNormals[input]), mesh.facetCorners[f][k], input });
+        shared[input] |= corner[input] != noIndex && corner[input] != mesh.facetCorners[f][k];
+        corner[input] = mesh.facetCorners[f][k];
       }
-    }
-  }
-  std::sort(uses.begin(), uses.end(),
-    [](const CutInput& a, const CutInput& b)
-    { return std::tie(a.point, a.normal, a.corner) < std::tie(b.point, b.normal, b.corner); });
-  return uses;
-}
-
-/**
- * Input points that lie in several corners of one point, alone or with others of the same normal:
- * their normals belong to none of them.
- */
-std::vector<char> findSharedInputs(const SurfaceMesh& mesh, const std::vector<Point3>& inputNormals)
-{
-  std::vector<char> shared(inputNormals.size(), 0);
-  const std::vector<CutInput> uses = collectCutInputs(mesh, inputNormals);
-  for (auto first = uses.begin(); first != uses.end();)
-  {
-    const auto end =
-      std::find_if(first, uses.end(), [&](const CutInput& use) { return !use.isLike(*first); });
-    const bool isShared = first->corner != (end - 1)->corner;
-    for (; first != end; ++first)
-    {
-      shared[first->input] |= static_cast<char>(isShared);
     }
   }
   return shared;
@@ -296,26 +250,21 @@ CornerInputs collectCornerInputs(const SurfaceMesh& mesh)
   return inputs;
 }
 
-/** Mean direction of the distinct ones among a corner's input normals, or zero. */
+/** Mean direction of a corner's distinct input normals, or zero. */
 Point3 meanOfInputs(const CornerInputs& inputs, std::size_t corner,
   const std::vector<Point3>& inputNormals, const std::vector<char>& shared)
 {
-  std::vector<Coordinates> distinct;
+  Point3 sum = Point3::Zero();
+  int count = 0;
   for (Offset i = inputs.begins[corner]; i < inputs.begins[corner + 1]; ++i)
   {
     const bool first = i == inputs.begins[corner] || inputs.points[i] != inputs.points[i - 1];
     if (first && !shared[inputs.points[i]])
     {
-      distinct.push_back(valuesOf(inputNormals[inputs.points[i]]));
+      sum += inputNormals[inputs.points[i]].stableNormalized();
+      ++count;
     }
   }
-  sortUnique(distinct); // as where a surface was parted and has points twice
-  Point3 sum = Point3::Zero();
-  for (const Coordinates& normal : distinct)
-  {
-    sum += Point3(normal[0], normal[1], normal[2]).stableNormalized();
-  }
-  const auto count = static_cast<double>(distinct.size());
   const double length = sum.norm();
   return length > leastLength * count ? Point3(sum / length) : Point3(Point3::Zero());
 }
@@ -379,7 +328,7 @@ Status givenCornerNormals(
     return status;
   }
   const CornerInputs inputs = collectCornerInputs(mesh);
-  const std::vector<char> shared = findSharedInputs(mesh, inputNormals);
+  const std::vector<char> shared = findSharedInputs(mesh, inputNormals.size());
   std::vector<Point3> estimated; // on demand
   normals.resize(mesh.cornerPoints.size());
   for (std::size_t corner = 0; corner < normals.size(); ++corner)

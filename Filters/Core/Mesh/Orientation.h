@@ -32,7 +32,7 @@ bool isOriented(const std::vector<Triple>& facetPoints, const EdgeTable& edges,
  * through edges of exactly two facets; edges of more facets separate shells.
  *
  * Of the two orientations a shell takes that of the larger share of its area (a tie within
- * rounding: that of its first facet, in the order given), so a consistent input stays as it is, inside out or not. A
+ * rounding: that of its first facet), so a consistent input stays as it is, inside out or not. A
  * one-sided shell (Moebius strip) is left as it was.
  *
  * @param facetAreas F, in any unit, above or equal to 0.

@@ -8,23 +8,20 @@
 #include "Support/RunControl.h"
 #include "Support/Types.h"
 
-#include <functional>
 #include <vector>
 
 namespace remesh
 {
 /**
- * Points in the order of the Hilbert curve of their bounding cube; ties stay in the given order, or
- * are put in that of `isBefore`.
+ * Points in the order of the Hilbert curve of their bounding cube; ties stay in the given order.
  *
  * @param points N finite points of R^3, N <= maximumIndex.
  * @param control asked for cancellation; the result of a cancelled run is of no use.
- * @param isBefore a strict weak order of points, asked by several threads.
  * @return N point ids.
  * Cost: O(N), in parallel. Deterministic.
  */
-std::vector<Index> orderAlongHilbertCurve(const std::vector<Point3>& points,
-  const RunControl& control = RunControl(), const std::function<bool(Index, Index)>& isBefore = {});
+std::vector<Index> orderAlongHilbertCurve(
+  const std::vector<Point3>& points, const RunControl& control = RunControl());
 }
 
 #endif

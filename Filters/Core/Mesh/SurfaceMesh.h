@@ -11,7 +11,6 @@
 
 #include "Mesh/InputPoints.h"
 
-#include <functional>
 #include <vector>
 
 namespace remesh
@@ -22,12 +21,6 @@ struct TriangleSoup
   std::vector<Point3> points;                   ///< P, in R^3, the caller's point ids
   std::vector<std::array<Offset, 3>> triangles; ///< T x 3, ids into `points`
   std::vector<Offset> inputCells;               ///< T, the caller's cell that a triangle came from
-  /**
-   * Compares what the caller's data has at two triangles (cell, points of the corners; cell,
-   * points) in the same place: below 0, 0 or above, a weak order. None: they are alike.
-   */
-  std::function<int(Offset, const std::array<Offset, 3>&, Offset, const std::array<Offset, 3>&)>
-    compareValues;
 };
 
 struct SurfaceMesh
