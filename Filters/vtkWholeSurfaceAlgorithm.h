@@ -36,10 +36,12 @@
  * for one piece of it: through vtkMultiProcessController::GetGlobalController() the pieces come to
  * the first process, which does the work on all threads that it has. So the first process takes the
  * memory of the whole surface and the whole work, and one copy of the largest piece; the others
- * sleep. The result is that of one process, whatever the number of processes:
+ * wait. The surface is that of one process:
  * - ghost cells count once, and points that pieces share are one;
- * - cells have the ids of the pieces appended in the order of the processes, without ghost cells;
- *   only these ids (`InputCellId`), and the order of what is passed from the input, are other ones;
+ * - points and cells come in the order of the processes. What one process reads gives the same
+ *   bytes for any number of processes; of pieces the order, and so the mesh, changes with their
+ *   number as it does with the seed;
+ * - `InputCellId` numbers the cells of the pieces one after the other, without ghost cells;
  * - an error or warning is told on the first process alone, and the execution fails on all.
  */
 #ifndef vtkWholeSurfaceAlgorithm_h

@@ -241,7 +241,7 @@ void Remesh(Run& run)
   {
     vtkPointSet* sites = vtkPointSet::SafeDownCast(remesher->GetInputDataObject(1, 0));
     run.Embedding->SetNumberOfPoints(
-      sites ? std::max<vtkIdType>(1, sites->GetNumberOfPoints()) : options.NumberOfPoints);
+      std::max<vtkIdType>(1, sites ? sites->GetNumberOfPoints() : options.NumberOfPoints));
     vtkFieldData* facts = remesher->GetOutput()->GetFieldData();
     vtkDataArray* radius = facts->GetArray("NormalSmoothingRadius");
     run.Embedding->SetNormalSmoothingRadius(radius ? radius->GetComponent(0, 0) : -1.0);

@@ -2,17 +2,20 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace remesh
@@ -188,6 +191,30 @@ vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
   return piece;
 }
 
+namespace
+{
+/**
+ * A source of pieces may compute a coordinate of 0 anew for each, as 6e-17 or -1e-16: the pieces
+ * would come apart there. What is nothing but rounding of 0 becomes 0.
+ */
+void roundToZero(vtkDataObject* joined)
+{
+  constexpr double rounding = 1e-14; // of the diagonal
+  vtkPoints* points = vtkPointSet::SafeDownCast(joined)->GetPoints();
+  const double limit = rounding * vtkBoundingBox(points->GetBounds()).GetDiagonalLength();
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    double place[3];
+    points->GetPoint(id, place);
+    for (double& coordinate : place)
+    {
+      coordinate = std::abs(coordinate) < limit ? 0.0 : coordinate;
+    }
+    points->SetPoint(id, place);
+  }
+}
+}
+
 vtkSmartPointer<vtkDataObject> joinPieces(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
 {
   std::vector<vtkDataObject*> filled;
@@ -210,6 +237,7 @@ vtkSmartPointer<vtkDataObject> joinPieces(const std::vector<vtkSmartPointer<vtkD
   }
   vtkSmartPointer<vtkDataObject> joined =
     areSurfaces ? append<vtkAppendPolyData>(filled) : append<vtkAppendFilter>(filled);
+  roundToZero(joined);
   for (vtkDataObject* piece : filled)
   {
     vtkFieldData* from = piece->GetFieldData();

@@ -5,7 +5,7 @@ TestWindow.py <paraview> <its version> <plugin.so> <folder> <scenario>
 The steps are played by ParaView's own test playback: it sends mouse and key events to widgets that
 it finds by name, so that neither fonts nor sizes matter, and it waits until the window is idle. A
 step whose widget is missing fails, and so does typing into a hidden one. What the window then
-holds is written by TestWindowState.py, which the window's Python shell runs, and judged here.
+holds is written by WindowState.py, which the window's Python shell runs, and judged here.
 """
 import json
 import os
@@ -23,7 +23,7 @@ PANEL = PROPERTIES + ("/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetConten
 ANISOTROPY = PANEL + "/Anisotropy/DoubleRangeWidget/DoubleLineEdit"
 SIZE = PANEL + "/remeshing_size"
 SHELL = MAIN + "/pythonShellDock/pythonShell/consoleWidget"
-STATE_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "TestWindowState.py")
+STATE_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "WindowState.py")
 SECONDS = 110
 TROUBLE = ("Traceback", "ERR|", "Couldn't find object", "Expecting", "In event 'object=")
 

@@ -169,7 +169,7 @@ class TestResults(CommandLineTest):
         self.assertEqual(embedded.GetNumberOfPoints(), sphere().GetNumberOfPoints())
         self.assertEqual(embedded.GetPointData().GetArray("Embedding").GetNumberOfComponents(), 6)
         lines = content(self.path("t.csv")).decode().splitlines()
-        self.assertEqual(lines[0], "Iteration,Energy,GradientNorm,StepLength,Time")
+        self.assertEqual(lines[0], "Iteration,Energy,GradientNorm,StepLength,Seconds")
         with open(self.path("r.json"), encoding="utf-8") as file:
             report = json.load(file)
         self.assertEqual(len(lines), report["iterations"] + 2)
