@@ -3,6 +3,7 @@
 #include "Adaptors/BlockOutputs.h"
 #include "Adaptors/CarriedArrays.h"
 #include "Adaptors/ChosenArrays.h"
+#include "Adaptors/InputOrder.h"
 #include "Adaptors/OutputPorts.h"
 #include "Adaptors/SurfaceGathering.h"
 #include "Adaptors/WholeData.h"
@@ -19,6 +20,7 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -177,8 +179,38 @@ struct vtkWholeSurfaceAlgorithm::vtkWhole
         return status;
       }
       this->Warn(report);
+      if (this->NeedsOrder(port))
+      {
+        auto* surface = vtkPolyData::SafeDownCast(this->Data.inputs[port]);
+        this->Data.inputs[port] = remesh::inOwnOrder(surface);
+      }
     }
     return remesh::Status::success();
+  }
+
+  /**
+   * Whether the order of the input would depend on the number of processes. Where the input is
+   * passed on, it has to keep its order.
+   */
+  bool NeedsOrder(std::size_t port) const
+  {
+    const int number = static_cast<int>(port);
+    if (!this->Data.inputs[port] || this->Self->TakesPoints(number))
+    {
+      return false;
+    }
+    for (int output = 0; output < this->Self->GetNumberOfOutputPorts(); ++output)
+    {
+      if (this->Self->PassesInput(output) && this->Self->GetStructurePort(output) == number)
+      {
+        return false;
+      }
+    }
+    const auto& blocks = this->Data.blocks[port];
+    const auto filled = std::count_if(blocks.begin(), blocks.end(),
+      [](const remesh::SurfaceBlock& block)
+      { return block.input && block.input->GetNumberOfElements(vtkDataObject::CELL) > 0; });
+    return filled > 1 || remesh::comesInPieces(this->Self, number);
   }
 
   void Warn(const remesh::JoinReport& report) const

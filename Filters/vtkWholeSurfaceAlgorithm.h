@@ -38,9 +38,12 @@
  * memory of the whole surface and the whole work, and one copy of the largest piece; the others
  * wait. The surface is that of one process:
  * - ghost cells count once, and points that pieces share are one;
- * - points and cells come in the order of the processes. What one process reads gives the same
- *   bytes for any number of processes; of pieces the order, and so the mesh, changes with their
- *   number as it does with the seed;
+ * - a surface that could come in pieces (any source of the pipeline can give some), or has several
+ *   blocks, is put in an order of its own, on one process as on many: the same bytes for any number
+ *   of them. Only a filter that spreads what one process has read changes the order, and so the
+ *   mesh, as another seed does;
+ * - what a filter passes on (vtkGaussMapEmbedding, vtkSurfaceMeshComparison) comes in the order of
+ *   the processes;
  * - `InputCellId` numbers the cells of the pieces one after the other, without ghost cells;
  * - an error or warning is told on the first process alone, and the execution fails on all.
  */

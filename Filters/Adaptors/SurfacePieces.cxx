@@ -191,16 +191,10 @@ vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
   return piece;
 }
 
-namespace
-{
-/**
- * A source of pieces may compute a coordinate of 0 anew for each, as 6e-17 or -1e-16: the pieces
- * would come apart there. What is nothing but rounding of 0 becomes 0.
- */
-void roundToZero(vtkDataObject* joined)
+void roundToZero(vtkDataObject* surface)
 {
   constexpr double rounding = 1e-14; // of the diagonal
-  vtkPoints* points = vtkPointSet::SafeDownCast(joined)->GetPoints();
+  vtkPoints* points = vtkPointSet::SafeDownCast(surface)->GetPoints();
   const double limit = rounding * vtkBoundingBox(points->GetBounds()).GetDiagonalLength();
   for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
   {
@@ -212,7 +206,6 @@ void roundToZero(vtkDataObject* joined)
     }
     points->SetPoint(id, place);
   }
-}
 }
 
 vtkSmartPointer<vtkDataObject> joinPieces(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)

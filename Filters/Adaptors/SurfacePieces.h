@@ -21,6 +21,14 @@ namespace remesh
 vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece);
 
 /**
+ * A source of pieces may compute a coordinate of 0 anew for each, as 6e-17 or -1e-16: the pieces
+ * would come apart there. What is nothing but rounding of 0 becomes 0.
+ *
+ * @param surface with points, which are changed.
+ */
+void roundToZero(vtkDataObject* surface);
+
+/**
  * All pieces as one, points and cells in the order of the pieces, with the arrays that all those
  * with points have. Field data: of the first piece that has an array.
  *
