@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Makes two surfaces to try the remesher on: an octopus and a machined part.
 
-    make_surfaces.py FOLDER
+    make_surfaces.py FOLDER [octopus] [part]
 
 writes octopus.vtp (smooth, closed, genus 0, about 40 000 triangles) and part.vtp (plate with boss,
-bore and fillets; closed, genus 1, about 30 000 triangles), both with exact unit normals in the
-point array `Normals`, and the same as octopus.ply and part.ply without them.
+bore and fillets; closed, genus 1, about 30 000 triangles), or one of them, with exact unit normals
+in the point array `Normals`; and the same as octopus.ply and part.ply without these.
 
 1. A shape is the zero set of a function f that is close to a distance: unions and intersections of
    simple solids with rounded transitions (so that the surface has a tangent plane everywhere).
@@ -197,13 +197,16 @@ def write(surface, folder, name):
         sys.exit(f"make_surfaces.py: cannot write to '{folder}'")
 
 
-def main(folder):
+SURFACES = {  # function, bounds, spacing, Euler characteristic
+    "octopus": (octopus, (-1.6, 1.6, -1.6, 1.6, -0.5, 1.3), 0.0315, 2),
+    "part": (part, (-1.1, 1.1, -0.75, 0.75, -0.3, 0.85), 0.027, 0),
+}
+
+
+def main(folder, names):
     os.makedirs(folder, exist_ok=True)
-    surfaces = [
-        ("octopus", octopus, (-1.6, 1.6, -1.6, 1.6, -0.5, 1.3), 0.0315, 2),
-        ("part", part, (-1.1, 1.1, -0.75, 0.75, -0.3, 0.85), 0.027, 0),
-    ]
-    for name, function, bounds, spacing, euler_characteristic in surfaces:
+    for name in names or SURFACES:
+        function, bounds, spacing, euler_characteristic = SURFACES[name]
         surface = make_surface(function, bounds, spacing)
         check(surface, euler_characteristic)
         write(surface, folder, name)
@@ -212,6 +215,6 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2 or not set(sys.argv[2:]) <= set(SURFACES):
         sys.exit(__doc__.split("\n\n")[1].strip())
-    main(sys.argv[1])
+    main(sys.argv[1], sys.argv[2:])

@@ -7,6 +7,8 @@
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPassThrough.h"
@@ -183,8 +185,7 @@ void testIds(bool givesPieces)
   vtkNew<PieceSource> source;
   source->Surface = shuffle(polyDataOf(icosphere(2)), false, 1);
   vtkNew<vtkRestrictedVoronoiDiagram> diagram;
-  diagram->GenerateVoronoiCellsOn();
-  diagram->SetNumberOfPoints(20);
+  diagram->SetSitesData(source->Surface);
   givesPieces ? diagram->SetInputConnection(source->GetOutputPort())
               : diagram->SetInputData(source->Surface);
   diagram->Update();
