@@ -41,6 +41,11 @@ bool vtkRestrictedVoronoiAlgorithm::TakesPoints(int inputPort) const
   return inputPort == 1;
 }
 
+bool vtkRestrictedVoronoiAlgorithm::MayReorder(int inputPort) const
+{
+  return inputPort == 0;
+}
+
 int vtkRestrictedVoronoiAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
 {
   if (port == CONVERGENCE)

@@ -218,6 +218,7 @@ protected:
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   bool TakesPoints(int inputPort) const override;
+  bool MayReorder(int inputPort) const override;
 
   remesh::Status CheckParameters() override;
 

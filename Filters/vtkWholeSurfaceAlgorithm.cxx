@@ -50,6 +50,11 @@ int vtkWholeSurfaceAlgorithm::GetStructurePort(int) const
   return 0;
 }
 
+bool vtkWholeSurfaceAlgorithm::MayReorder(int) const
+{
+  return false;
+}
+
 bool vtkWholeSurfaceAlgorithm::PassesInput(int) const
 {
   return false;
@@ -188,23 +193,13 @@ struct vtkWholeSurfaceAlgorithm::vtkWhole
     return remesh::Status::success();
   }
 
-  /**
-   * Whether the order of the input would depend on the number of processes. Where the input is
-   * passed on, it has to keep its order.
-   */
+  /** Whether the order of the input would depend on the number of processes. */
   bool NeedsOrder(std::size_t port) const
   {
     const int number = static_cast<int>(port);
-    if (!this->Data.inputs[port] || this->Self->TakesPoints(number))
+    if (!this->Data.inputs[port] || !this->Self->MayReorder(number))
     {
       return false;
-    }
-    for (int output = 0; output < this->Self->GetNumberOfOutputPorts(); ++output)
-    {
-      if (this->Self->PassesInput(output) && this->Self->GetStructurePort(output) == number)
-      {
-        return false;
-      }
     }
     const auto& blocks = this->Data.blocks[port];
     const auto filled = std::count_if(blocks.begin(), blocks.end(),

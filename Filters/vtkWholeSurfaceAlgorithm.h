@@ -103,6 +103,12 @@ protected:
   /** The input port whose structure an output port has. */
   virtual int GetStructurePort(int outputPort) const;
 
+  /**
+   * Whether the outputs depend on the order of the input's points and cells, and show nothing of
+   * it: then a surface that could come in pieces is put in an order of its own.
+   */
+  virtual bool MayReorder(int inputPort) const;
+
   /** Whether an output is that input itself with other point arrays. */
   virtual bool PassesInput(int outputPort) const;
 

@@ -269,6 +269,21 @@ void addOldIds(vtkPolyData* surface, vtkIdList* order, vtkCellData* data)
       return before ? before->GetValue(old) : old;
     });
 }
+
+/** What else is wrong is told by who reads the surface. */
+bool isSound(vtkCellArray* cells, vtkIdType numberOfPoints)
+{
+  bool isIn = cells->IsValid();
+  for (vtkIdType cell = 0; isIn && cell < cells->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCellAtId(cell, size, ids);
+    isIn =
+      std::all_of(ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < numberOfPoints; });
+  }
+  return isIn;
+}
 }
 
 bool comesInPieces(vtkAlgorithm* algorithm, int port)
@@ -279,15 +294,17 @@ bool comesInPieces(vtkAlgorithm* algorithm, int port)
 
 vtkSmartPointer<vtkPolyData> inOwnOrder(vtkPolyData* surface)
 {
+  const vtkIdType count = surface->GetNumberOfPoints();
+  if (count == 0 || !isSound(surface->GetPolys(), count) || !isSound(surface->GetStrips(), count))
+  {
+    return surface;
+  }
   auto ordered = vtkSmartPointer<vtkPolyData>::New();
   ordered->GetFieldData()->ShallowCopy(surface->GetFieldData());
-  if (surface->GetNumberOfPoints() == 0)
-  {
-    return ordered;
-  }
   vtkNew<vtkPolyData> rounded;
   rounded->ShallowCopy(surface);
   vtkNew<vtkPoints> places;
+  places->SetDataType(surface->GetPoints()->GetDataType()); // which DeepCopy leaves as it is
   places->DeepCopy(surface->GetPoints());
   rounded->SetPoints(places);
   roundToZero(rounded);

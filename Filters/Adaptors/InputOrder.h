@@ -30,6 +30,7 @@ bool comesInPieces(vtkAlgorithm* algorithm, int port);
  * in all become one. A polygon starts with its first point; cells are ordered by their points, then
  * by the values of their arrays. The cell array blockCellName has the ids that cells had.
  *
+ * @return the surface itself, if it has no points, or cells that name points that are not there.
  * Cost: O((points + cells) log(points + cells)), and the memory of a copy.
  */
 vtkSmartPointer<vtkPolyData> inOwnOrder(vtkPolyData* surface);

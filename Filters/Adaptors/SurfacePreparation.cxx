@@ -6,13 +6,18 @@
 #include "Embedding/Wrinkles.h"
 #include "Features/FeatureGraph.h"
 #include "Mesh/Extent.h"
+#include "Mesh/FacetGeometry.h"
 #include "Mesh/NormalFlow.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace remesh
@@ -21,6 +26,13 @@ namespace
 {
 /** Share of wrinkles (Wrinkles.h) up to which bends are kept as they are. */
 constexpr double mostWrinkles = 0.05;
+
+/** Repeated triangles are told from one in so many on: a few are no sheet that is there twice. */
+constexpr Offset mostRepeated = 100;
+
+/** Of the spacing: the rounding of coordinates that turns triangles round begins some bits later.
+ */
+constexpr double mostRounding = 1.0 / 64.0;
 
 Status takeIn(
   vtkPolyData* input, double mergeTolerance, const RunControl& control, PreparedSurface& prepared)
@@ -213,17 +225,58 @@ Status embed(vtkPolyData* input, const PreparationRequest& request, const RunCon
   return status;
 }
 
-void tellIntake(const IntakeReport& intake, std::vector<std::string>& warnings)
+std::string shortNumber(double number)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << number;
+  return text.str();
+}
+
+/** What rounding has left of the coordinates: it moves points and turns triangles round. */
+void tellRounding(vtkPolyData* input, PreparedSurface& prepared)
+{
+  const bool isSingle = input->GetPoints()->GetDataType() == VTK_FLOAT;
+  const double precision = isSingle ? FLT_EPSILON : DBL_EPSILON;
+  double largest = 0.0;
+  double area = 0.0;
+  for (const Point3& point : prepared.mesh.points)
+  {
+    largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  }
+  for (const Triple& facet : prepared.mesh.facetPoints)
+  {
+    const auto& points = prepared.mesh.points;
+    area += facetArea(points[facet[0]], points[facet[1]], points[facet[2]]);
+  }
+  const double spacing = std::sqrt(area / static_cast<double>(prepared.mesh.numberOfPoints()));
+  const double share = precision * largest / spacing;
+  if (share > mostRounding)
+  {
+    prepared.warnings.push_back("The coordinates are rounded to " + shortNumber(share) +
+      " of the spacing of their points. Subtract an offset from them" +
+      (isSingle ? ", or read them in double precision." : "."));
+  }
+}
+
+void tellIntake(
+  const IntakeReport& intake, Offset numberOfFacets, std::vector<std::string>& warnings)
 {
   if (!intake.orientable)
   {
     warnings.push_back("The surface is not orientable: the mesh cannot be oriented consistently.");
   }
-  if (intake.nearBorderPoints > 0)
+  if (intake.gaps.points > 0)
   {
-    warnings.push_back("Points on the border are other ones there but for rounding: " +
-      std::to_string(intake.nearBorderPoints) +
-      ". A MergeTolerance, of 1e-12 say, makes them one and closes the slit between them.");
+    warnings.push_back("Points on the border nearly coincide with others there: " +
+      std::to_string(intake.gaps.points) + ". A MergeTolerance of " +
+      shortNumber(intake.gaps.width) + " makes them one and closes the slits between them.");
+  }
+  if (mostRepeated * intake.droppedDuplicate >= numberOfFacets)
+  {
+    warnings.push_back(
+      "A part of the surface is there twice: " + std::to_string(intake.droppedDuplicate) +
+      " triangles lie on others with the same points, and are left out.");
   }
 }
 }
@@ -264,7 +317,8 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   {
     return status;
   }
-  tellIntake(prepared.intake, prepared.warnings);
+  tellIntake(prepared.intake, prepared.mesh.numberOfFacets(), prepared.warnings);
+  tellRounding(input, prepared);
   if (Status status = takeFeatures(input, request, progress, prepared); !status.ok())
   {
     return status;

@@ -7,8 +7,10 @@
 #include "TestSupport.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <set>
 
 using namespace remesh;
@@ -152,6 +154,102 @@ void testDuplicates()
   CHECK(cells == std::set<Offset>({ 10, 11, 12, 13 }));
 }
 
+/** Two triangles on the same points, back to back, that hang on an edge: both go. */
+void testFlaps()
+{
+  TriangleSoup soup = test::icosphere(2);
+  const std::size_t count = soup.triangles.size();
+  for (const std::size_t at : { std::size_t(3), count / 2 })
+  {
+    const auto [a, b, c] = soup.triangles[at];
+    const auto tip = static_cast<Offset>(soup.points.size());
+    soup.points.push_back(1.2 * soup.points[a]);
+    soup.points.push_back(1.3 * soup.points[a]);
+    // A flap of two pairs, the second behind the first.
+    for (const auto& facet : { std::array{ a, b, tip }, std::array{ b, tip, tip + 1 } })
+    {
+      soup.triangles.push_back(facet);
+      soup.triangles.push_back({ facet[1], facet[0], facet[2] });
+    }
+  }
+  soup.inputCells.resize(soup.triangles.size());
+  std::iota(soup.inputCells.begin(), soup.inputCells.end(), Offset(0));
+  SurfaceMesh mesh;
+  IntakeReport report;
+  CHECK(test::takeIn(soup, mesh, report).ok());
+  CHECK_EQUAL(report.droppedDuplicate, 4);
+  CHECK_EQUAL(report.droppedFlaps, 4);
+  CHECK_EQUAL(static_cast<std::size_t>(mesh.numberOfFacets()), count);
+  CHECK_EQUAL(report.boundaryEdges + report.nonManifoldEdges, 0);
+}
+
+/** A sheet that is there twice, facing both ways, becomes one; and so does a border's second half.
+ */
+void testDoubledSheets()
+{
+  TriangleSoup soup = test::gridPatch(4, 4);
+  const std::size_t count = soup.triangles.size();
+  for (const bool whole : { true, false })
+  {
+    TriangleSoup doubled = soup;
+    for (std::size_t t = whole ? 0 : count / 2; t < count; ++t)
+    {
+      const auto [a, b, c] = soup.triangles[t];
+      doubled.triangles.push_back({ b, a, c });
+    }
+    doubled.inputCells.resize(doubled.triangles.size(), 0);
+    SurfaceMesh mesh;
+    IntakeReport report;
+    CHECK(test::takeIn(doubled, mesh, report).ok());
+    CHECK_EQUAL(static_cast<std::size_t>(mesh.numberOfFacets()), count);
+    CHECK_EQUAL(report.droppedFlaps, 0);
+    CHECK_EQUAL(report.nonManifoldEdges, 0);
+    CHECK_EQUAL(report.boundaryEdges, 16);
+  }
+}
+
+/** Triangles that nearly meet: how far they are apart, from single triangles to one long slit. */
+void testBorderGaps()
+{
+  const auto gapsOf = [](const TriangleSoup& soup)
+  {
+    SurfaceMesh mesh;
+    IntakeReport report;
+    CHECK(test::takeIn(soup, mesh, report).ok());
+    return report.gaps;
+  };
+  const TriangleSoup grid = test::gridPatch(8, 8);
+  CHECK_EQUAL(gapsOf(grid).points, 0);
+  CHECK_EQUAL(gapsOf(test::icosphere(2)).points, 0);
+  for (const double gap : { 1e-9, 1e-6, 1e-4 })
+  {
+    TriangleSoup loose;
+    for (const auto& triangle : grid.triangles)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const double shift = gap * static_cast<double>(loose.points.size()) / 384.0;
+        loose.points.push_back(grid.points[triangle[k]] + Point3(shift, -shift, 0.5 * shift));
+      }
+      const auto last = static_cast<Offset>(loose.points.size());
+      loose.triangles.push_back({ last - 3, last - 2, last - 1 });
+      loose.inputCells.push_back(static_cast<Offset>(loose.inputCells.size()));
+    }
+    const BorderGaps gaps = gapsOf(loose);
+    CHECK_EQUAL(gaps.points, 384 - 81);
+    CHECK(gaps.width * std::sqrt(2.0) > 0.1 * gap && gaps.width * std::sqrt(2.0) < 20.0 * gap);
+    // The width closes them, as it says.
+    SurfaceMesh mesh;
+    IntakeReport report;
+    IntakeOptions options;
+    options.mergeDistance = gaps.width * std::sqrt(2.0);
+    CHECK(buildSurfaceMesh(loose, options, RunControl(), mesh, report).ok());
+    CHECK_EQUAL(mesh.numberOfPoints(), 81);
+    CHECK_EQUAL(report.boundaryEdges, 32);
+    CHECK_EQUAL(report.gaps.points, 0);
+  }
+}
+
 void testRefusals()
 {
   SurfaceMesh mesh;
@@ -282,6 +380,9 @@ int TestIntake(int, char*[])
   testProvenance();
   testDegenerate();
   testDuplicates();
+  testFlaps();
+  testDoubledSheets();
+  testBorderGaps();
   testRefusals();
   testControl();
   testHilbert();

@@ -59,10 +59,13 @@ void testMerging()
   CHECK(test::takeIn(crack, mesh, report).ok());
   CHECK_EQUAL(report.mergedPoints, 1);
   CHECK_EQUAL(report.boundaryEdges, 6);
-  CHECK_EQUAL(report.nearBorderPoints, 1);
+  CHECK_EQUAL(report.gaps.points, 1);
   crack.points[3][0] = 1e-6;
   CHECK(test::takeIn(crack, mesh, report).ok());
-  CHECK_EQUAL(report.nearBorderPoints, 0);
+  CHECK_EQUAL(report.gaps.points, 1);
+  crack.points[3][0] = 0.1; // nothing is near
+  CHECK(test::takeIn(crack, mesh, report).ok());
+  CHECK_EQUAL(report.gaps.points, 0);
 }
 
 /** A grid bent to a tube whose last column of points is the first one again, but for rounding. */
@@ -104,7 +107,7 @@ void testShortSides()
   CHECK_EQUAL(report.droppedDegenerate, 8);
   CHECK_EQUAL(report.boundaryEdges, 2 * n);
   CHECK_EQUAL(mesh.numberOfPoints(), 5 * n);
-  CHECK_EQUAL(report.nearBorderPoints, 0);
+  CHECK_EQUAL(report.gaps.points, 0);
   // Nor does a small part vanish beside one far away.
   TriangleSoup far = test::icosphere(1);
   const auto alone = static_cast<Index>(far.triangles.size());

@@ -365,8 +365,52 @@ void testSlit()
     filter->Update();
     CHECK_EQUAL(filter->GetNumberOfInputComponents(), tolerance > 0.0 ? 1 : 2);
     CHECK_EQUAL(messages.warnings().size(), std::size_t(tolerance > 0.0 ? 0 : 1));
-    CHECK(tolerance > 0.0 || messages.warnings()[0].find("MergeTolerance") != std::string::npos);
+    CHECK(tolerance > 0.0 ||
+      messages.warnings()[0].find("MergeTolerance of 1e-12") != std::string::npos);
   }
+}
+
+/** The warnings of a run. */
+std::vector<std::string> warningsOf(vtkPolyData* input)
+{
+  const auto filter = Filter::New();
+  filter->SetInputData(input);
+  filter->SetNumberOfPoints(300);
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty());
+  return messages.warnings();
+}
+
+void testDoubledSheet()
+{
+  TriangleSoup soup = gridPatch(8, 8);
+  CHECK(warningsOf(polyDataOf(soup)).empty());
+  const std::size_t count = soup.triangles.size();
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const auto [a, b, c] = soup.triangles[t];
+    soup.triangles.push_back({ b, a, c });
+    soup.inputCells.push_back(static_cast<Offset>(soup.inputCells.size()));
+  }
+  const auto warnings = warningsOf(polyDataOf(soup));
+  CHECK(warnings.size() == 1 && warnings[0].find("there twice") != std::string::npos);
+}
+
+/** Single precision far from the origin, as of maps. */
+void testRoundedCoordinates()
+{
+  TriangleSoup soup;
+  append(soup, gridPatch(40, 40), Point3(45000.0, 540000.0, 30.0));
+  vtkSmartPointer<vtkPolyData> input = polyDataOf(soup);
+  CHECK(warningsOf(input).empty());
+  vtkNew<vtkPoints> single;
+  single->SetDataType(VTK_FLOAT);
+  single->DeepCopy(input->GetPoints());
+  CHECK_EQUAL(single->GetDataType(), VTK_FLOAT);
+  input->SetPoints(single);
+  const auto warnings = warningsOf(input);
+  CHECK(!warnings.empty() && warnings[0].find("double precision") != std::string::npos);
 }
 }
 
@@ -383,5 +427,7 @@ int TestSurfaceKinds(int, char*[])
   testRepairs();
   testClosedByRounding();
   testSlit();
+  testDoubledSheet();
+  testRoundedCoordinates();
   return result();
 }

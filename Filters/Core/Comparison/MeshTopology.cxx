@@ -156,7 +156,7 @@ Status measureTopology(const Triangles& mesh, const RunControl& control, MeshTop
     }
   }
   const EdgeTable edges = buildEdgeTable(facets, control);
-  const std::vector<unsigned char> repeated = findDuplicates(facets, control);
+  const std::vector<unsigned char> repeated = findDuplicates(facets, control).repeats;
   topology.duplicatePoints = countDuplicatePoints(mesh, control);
   topology.duplicateTriangles =
     static_cast<Index>(std::count(repeated.begin(), repeated.end(), static_cast<unsigned char>(1)));

@@ -74,7 +74,7 @@ Triple sorted(Triple triangle)
 bool removeRepeated(
   const RunControl& control, std::vector<Triple>& triangles, std::vector<Triple>& twins)
 {
-  const std::vector<unsigned char> repeated = findDuplicates(triangles, control);
+  const std::vector<unsigned char> repeated = findDuplicates(triangles, control).repeats;
   std::size_t kept = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {

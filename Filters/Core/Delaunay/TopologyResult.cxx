@@ -1,5 +1,7 @@
 #include "Delaunay/TopologyResult.h"
 
+#include <cstdlib>
+
 namespace remesh
 {
 namespace
@@ -32,6 +34,42 @@ std::string describe(const Certificate& certificate)
         "points on features have no cells") }) +
     ".";
 }
+
+/** "5 components more", "1 component fewer", or "" for as many. */
+std::string difference(Index has, Index should, const std::string& one, const std::string& several)
+{
+  const std::size_t count = static_cast<std::size_t>(std::abs(has - should));
+  return count == 0 ? "" : counted(count, one, several) + (has < should ? " fewer" : " more");
+}
+
+/** Handles of closed or bordered orientable surfaces; -1 where that says nothing. */
+Index handlesOf(const MeshTopology& topology)
+{
+  const Index twice =
+    2 * topology.components - topology.boundaryLoops - topology.eulerCharacteristic;
+  const bool isManifold = topology.nonManifoldEdges == 0 && topology.nonManifoldPoints == 0;
+  return isManifold && topology.oriented && twice >= 0 && twice % 2 == 0 ? twice / 2 : -1;
+}
+
+/** What the mesh has that the surface has not, in words; "" for nothing. */
+std::string differences(const MeshTopology& mesh, const MeshTopology& surface)
+{
+  const Index handles = handlesOf(mesh);
+  const Index handlesWanted = handlesOf(surface);
+  const bool areKnown = handles >= 0 && handlesWanted >= 0;
+  const std::string euler = areKnown || mesh.eulerCharacteristic == surface.eulerCharacteristic
+    ? ""
+    : "Euler characteristic " + std::to_string(mesh.eulerCharacteristic) + " for " +
+      std::to_string(surface.eulerCharacteristic);
+  return joined({ difference(mesh.components, surface.components, "component", "components"),
+    difference(mesh.boundaryLoops, surface.boundaryLoops, "border loop", "border loops"),
+    areKnown ? difference(handles, handlesWanted, "handle", "handles") : "", euler,
+    counted(
+      static_cast<std::size_t>(mesh.nonManifoldEdges), "non-manifold edge", "non-manifold edges"),
+    counted(static_cast<std::size_t>(mesh.nonManifoldPoints), "non-manifold point",
+      "non-manifold points"),
+    mesh.oriented == surface.oriented ? "" : "triangles side by side that face opposite ways" });
+}
 }
 
 TopologyFailure TopologyResult::failure() const
@@ -58,15 +96,13 @@ std::string TopologyResult::describe() const
           counted(static_cast<std::size_t>(this->surface.nonManifoldPoints), "point", "points") }) +
         ".";
     case TopologyFailure::Diagram:
-      return remesh::describe(this->certificate);
+    {
+      const std::string found = differences(this->mesh, this->surface);
+      return remesh::describe(this->certificate) +
+        (found.empty() ? "" : " The mesh has, against the surface: " + found + ".");
+    }
     case TopologyFailure::Mesh:
-      return "The mesh differs from the surface: Euler characteristic " +
-        std::to_string(this->mesh.eulerCharacteristic) + " for " +
-        std::to_string(this->surface.eulerCharacteristic) + ", components " +
-        std::to_string(this->mesh.components) + " for " + std::to_string(this->surface.components) +
-        ", border loops " + std::to_string(this->mesh.boundaryLoops) + " for " +
-        std::to_string(this->surface.boundaryLoops) + ", non-manifold edges " +
-        std::to_string(this->mesh.nonManifoldEdges) + ".";
+      return "The mesh has, against the surface: " + differences(this->mesh, this->surface) + ".";
     default:
       return "";
   }

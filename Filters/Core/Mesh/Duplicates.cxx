@@ -3,9 +3,12 @@
  *
  * 1. Put the facets into one bucket per lowest point.
  * 2. Sort each bucket by the other two points, then by facet: repetitions follow their original.
+ * 3. Flaps: parts of folded facets, and what else is at their edges.
  */
 #include "Mesh/Duplicates.h"
 
+#include "Mesh/EdgeTable.h"
+#include "Support/DisjointSets.h"
 #include "Support/Grouping.h"
 
 namespace remesh
@@ -17,6 +20,7 @@ struct BucketEntry
 {
   std::array<Index, 2> points; ///< ascending
   Index facet;
+  bool turned; ///< the points follow each other the other way round
 
   bool operator<(const BucketEntry& other) const
   {
@@ -24,20 +28,40 @@ struct BucketEntry
   }
 };
 
-Triple sorted(Triple facet)
+BucketEntry entryOf(Triple facet, Index number)
 {
-  std::sort(facet.begin(), facet.end());
-  return facet;
+  std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+  const bool turned = facet[1] > facet[2];
+  return { { std::min(facet[1], facet[2]), std::max(facet[1], facet[2]) }, number, turned };
+}
+
+/** Marks what a bucket, sorted, has more than once. */
+void markRepeats(const std::vector<BucketEntry>& entries, Duplicates& duplicates)
+{
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < entries.size(); ++k)
+  {
+    if (entries[k].points != entries[first].points)
+    {
+      first = k;
+      continue;
+    }
+    duplicates.repeats[entries[k].facet] = 1;
+    if (entries[k].turned != entries[first].turned)
+    {
+      duplicates.folded[entries[first].facet] = 1;
+    }
+  }
 }
 }
 
-std::vector<unsigned char> findDuplicates(
-  const std::vector<Triple>& facetPoints, const RunControl& control)
+Duplicates findDuplicates(const std::vector<Triple>& facetPoints, const RunControl& control)
 {
   const auto lowest = [&](Offset facet)
   { return *std::min_element(facetPoints[facet].begin(), facetPoints[facet].end()); };
   const auto count = static_cast<Offset>(facetPoints.size());
-  std::vector<unsigned char> duplicate(facetPoints.size(), 0);
+  const std::vector<unsigned char> none(facetPoints.size(), 0);
+  Duplicates duplicates{ none, none };
   Index highest = noIndex;
   for (Offset f = 0; f < count; ++f)
   {
@@ -46,7 +70,7 @@ std::vector<unsigned char> findDuplicates(
   Groups buckets;
   if (!groupByKey(count, highest + 1, control.silent(), lowest, buckets))
   {
-    return duplicate;
+    return duplicates;
   }
   const bool done = forEachRange(longBlocks(highest + 1), control.silent(),
     [&](Offset begin, Offset end)
@@ -57,16 +81,60 @@ std::vector<unsigned char> findDuplicates(
         entries.clear();
         for (Offset k = buckets.begins[point]; k < buckets.begins[point + 1]; ++k)
         {
-          const Triple points = sorted(facetPoints[buckets.items[k]]);
-          entries.push_back({ { points[1], points[2] }, buckets.items[k] });
+          entries.push_back(entryOf(facetPoints[buckets.items[k]], buckets.items[k]));
         }
         std::sort(entries.begin(), entries.end());
-        for (std::size_t k = 1; k < entries.size(); ++k)
-        {
-          duplicate[entries[k].facet] = entries[k].points == entries[k - 1].points;
-        }
+        markRepeats(entries, duplicates);
       }
     });
-  return done ? duplicate : std::vector<unsigned char>(facetPoints.size(), 0);
+  return done ? duplicates : Duplicates{ none, none };
+}
+
+std::vector<unsigned char> findFlaps(const std::vector<Triple>& facetPoints,
+  const std::vector<unsigned char>& folded, const RunControl& control)
+{
+  std::vector<unsigned char> flaps(facetPoints.size(), 0);
+  if (std::find(folded.begin(), folded.end(), 1) == folded.end())
+  {
+    return flaps;
+  }
+  const EdgeTable edges = buildEdgeTable(facetPoints, control);
+  DisjointSets parts(facetPoints.size());
+  std::vector<unsigned char> hangs(facetPoints.size(), 0);
+  std::vector<unsigned char> continues(facetPoints.size(), 0);
+  for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+  {
+    const auto begin = edges.edgeFacets.begin() + edges.edgeFacetsBegin[edge];
+    const auto end = edges.edgeFacets.begin() + edges.edgeFacetsBegin[edge + 1];
+    const auto isFolded = [&](Index facet) { return folded[facet] != 0; };
+    const auto first = std::find_if(begin, end, isFolded);
+    const auto others = std::count_if(begin, end, [&](Index facet) { return !folded[facet]; });
+    for (auto facet = first; facet != end; ++facet)
+    {
+      if (folded[*facet])
+      {
+        parts.unite(*first, *facet);
+        hangs[*facet] |= others > 1;
+        continues[*facet] |= others == 1;
+      }
+    }
+  }
+  std::vector<unsigned char> goes(facetPoints.size(), 0);
+  for (std::size_t f = 0; f < folded.size(); ++f)
+  {
+    goes[parts.find(static_cast<Index>(f))] |= hangs[f];
+  }
+  for (std::size_t f = 0; f < folded.size(); ++f)
+  {
+    if (continues[f])
+    {
+      goes[parts.find(static_cast<Index>(f))] = 0;
+    }
+  }
+  for (std::size_t f = 0; f < folded.size(); ++f)
+  {
+    flaps[f] = folded[f] && goes[parts.find(static_cast<Index>(f))];
+  }
+  return flaps;
 }
 }

@@ -4,7 +4,8 @@
  * 1. Check sizes and ids; collect the points that triangles use; check their coordinates
  *    (IntakeDraft).
  * 2. Merge coincident points (Weld), and the ends of sides that are nothing but rounding.
- * 3. Drop degenerate triangles, without opening slits (CapSplit), then duplicates (Duplicates).
+ * 3. Drop degenerate triangles, without opening slits (CapSplit), then duplicates and flaps
+ * (Duplicates).
  * 4. Make the orientation consistent shell by shell (Orientation), in the order of the input, so
  *    that "the first facet" means the caller's first.
  * 5. Order the facets along a Hilbert curve (SpatialOrder), number the points in the order in
@@ -27,7 +28,6 @@
 #include "Mesh/Weld.h"
 #include "Support/DisjointSets.h"
 #include "Support/Grouping.h"
-#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <atomic>
@@ -146,6 +146,20 @@ Offset removeFacets(const std::vector<unsigned char>& marked, Draft& draft)
   return dropped;
 }
 
+void dropDuplicates(const RunControl& control, Draft& draft, IntakeReport& report)
+{
+  Duplicates duplicates = findDuplicates(draft.facets, control);
+  std::vector<unsigned char>& folded = duplicates.folded; // then of the facets that are left
+  for (std::size_t f = 0, kept = 0; f < folded.size(); ++f)
+  {
+    folded[kept] = folded[f];
+    kept += !duplicates.repeats[f];
+  }
+  report.droppedDuplicate = removeFacets(duplicates.repeats, draft);
+  folded.resize(draft.facets.size());
+  report.droppedFlaps = removeFacets(findFlaps(draft.facets, folded, control), draft);
+}
+
 Status dropBadFacets(
   const TriangleSoup& soup, const RunControl& control, Draft& draft, IntakeReport& report)
 {
@@ -172,7 +186,7 @@ Status dropBadFacets(
     report.addedBySplits =
       static_cast<Offset>(draft.facets.size()) + report.droppedDegenerate - count;
   }
-  report.droppedDuplicate = removeFacets(findDuplicates(draft.facets, control), draft);
+  dropDuplicates(control, draft, report);
   if (control.cancelled())
   {
     return Status::cancelled();
@@ -186,36 +200,6 @@ Status dropBadFacets(
   return Status::success();
 }
 
-/** Points on the border that are another one but for rounding. */
-Offset countNearBorderPoints(const Draft& draft, const EdgeTable& edges, const RunControl& control)
-{
-  std::vector<Index> border;
-  for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
-  {
-    if (edges.valence(edge) == 1)
-    {
-      const Index facet = edges.edgeFacets[edges.edgeFacetsBegin[edge]];
-      const int k = edges.sideOf(facet, edge);
-      border.insert(border.end(), { draft.facets[facet][k], draft.facets[facet][(k + 1) % 3] });
-    }
-  }
-  sortUnique(border);
-  std::vector<Point3> points(border.size());
-  std::transform(
-    border.begin(), border.end(), points.begin(), [&](Index point) { return draft.points[point]; });
-  const double distance = roundingOfPoints(draft.points);
-  Offset count = 0;
-  if (!points.empty() && distance > 0.0)
-  {
-    const std::vector<Index> lowest = weldNearPoints(points, distance, control);
-    for (std::size_t k = 0; k < lowest.size(); ++k)
-    {
-      count += lowest[k] != static_cast<Index>(k);
-    }
-  }
-  return count;
-}
-
 /** Finds out which facets to turn round, and fills the edges' part of the report. */
 Orientation orient(const Draft& draft, const RunControl& control, IntakeReport& report)
 {
@@ -227,7 +211,7 @@ Orientation orient(const Draft& draft, const RunControl& control, IntakeReport& 
   };
   report.boundaryEdges = count([](Index valence) { return valence == 1; });
   report.nonManifoldEdges = count([](Index valence) { return valence > 2; });
-  report.nearBorderPoints = countNearBorderPoints(draft, edges, control.silent());
+  report.gaps = findBorderGaps(draft.points, draft.facets, edges, control.silent());
   Orientation orientation;
   if (isOriented(draft.facets, edges, control) || control.cancelled())
   {

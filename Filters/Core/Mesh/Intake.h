@@ -5,6 +5,7 @@
 #ifndef remesh_Intake_h
 #define remesh_Intake_h
 
+#include "Mesh/BorderGaps.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
@@ -33,15 +34,19 @@ struct IntakeReport
   Offset droppedDegenerate = 0; ///< triangles with two equal points or no area
   Offset addedBySplits = 0;     ///< facets, beside others that were dropped (CapSplit.h)
   Offset droppedDuplicate = 0;  ///< triangles on the same three points as an earlier one
-  Offset mergedPoints = 0;      ///< used input points that became another one's
-  Offset flippedFacets = 0;     ///< turned round to make the orientation consistent
-  Index components = 0;         ///< connected through shared points
-  Index nonManifoldEdges = 0;   ///< edges of more than two facets
-  Index boundaryEdges = 0;      ///< edges of one facet
-  Offset nearBorderPoints = 0;  ///< on the border, another one but for rounding: a slit, as a rule
-  bool orientable = true;       ///< every component has a consistent orientation
+  Offset droppedFlaps = 0;    ///< the earlier ones themselves, where they are a flap (Duplicates.h)
+  Offset mergedPoints = 0;    ///< used input points that became another one's
+  Offset flippedFacets = 0;   ///< turned round to make the orientation consistent
+  Index components = 0;       ///< connected through shared points
+  Index nonManifoldEdges = 0; ///< edges of more than two facets
+  Index boundaryEdges = 0;    ///< edges of one facet
+  BorderGaps gaps;            ///< slits along the border
+  bool orientable = true;     ///< every component has a consistent orientation
 
-  Offset dropped() const { return this->droppedDegenerate + this->droppedDuplicate; }
+  Offset dropped() const
+  {
+    return this->droppedDegenerate + this->droppedDuplicate + this->droppedFlaps;
+  }
 };
 
 /**

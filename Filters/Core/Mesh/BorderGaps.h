@@ -1,0 +1,33 @@
+/**
+ * @file BorderGaps.h
+ * @brief Slits along the border, as of surfaces whose triangles nearly meet.
+ */
+#ifndef remesh_BorderGaps_h
+#define remesh_BorderGaps_h
+
+#include "Mesh/EdgeTable.h"
+
+namespace remesh
+{
+struct BorderGaps
+{
+  Offset points = 0;  ///< on the border, that nearly coincide with another one there; 0: no slits
+  double width = 0.0; ///< of the bounding-box diagonal: merging over it closes the slits
+};
+
+/**
+ * Finds slits by merging the points on the border over 1e-3, 1e-4 ... 1e-12 of the diagonal.
+ *
+ * Widths that make sides of the border vanish (but for one in a hundred) are too large. If a
+ * smaller one merges as many points as ten times that width, these points are much closer to each
+ * other than to any others: the smallest such width is the result.
+ *
+ * @param points P finite points of R^3; `facets` F x 3 and their `edges`.
+ * @param control asked for cancellation; the result of a cancelled run is of no use.
+ * Cost: O(F); O(b log b) with b points on the border, some times over where they nearly coincide.
+ */
+BorderGaps findBorderGaps(const std::vector<Point3>& points, const std::vector<Triple>& facets,
+  const EdgeTable& edges, const RunControl& control = RunControl());
+}
+
+#endif
