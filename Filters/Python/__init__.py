@@ -35,7 +35,7 @@ from .vtkFiltersAnisotropicRemeshing import (
     vtkWholeSurfaceAlgorithm,
 )
 
-_execution.watch(_threading.main_thread().ident)
+_execution.watch(_threading.main_thread().ident or 0)
 
 __all__ = [
     "Compared",

@@ -248,11 +248,19 @@ private:
   }
 };
 
-/** Updates with the GIL released; false where memory did not suffice. */
+/** A VTK built without regard to Python's threads, as ParaView's, calls observers without the GIL.
+ */
+#ifdef VTK_NO_PYTHON_THREADS
+constexpr bool releasesGil = false;
+#else
+constexpr bool releasesGil = true;
+#endif
+
+/** Updates, with the GIL released where VTK bears it; false where memory did not suffice. */
 bool updateAlone(vtkAlgorithm* algorithm)
 {
   bool done = true;
-  PyThreadState* const state = PyEval_SaveThread();
+  PyThreadState* const state = releasesGil ? PyEval_SaveThread() : nullptr;
   try
   {
     algorithm->Update();
@@ -261,7 +269,10 @@ bool updateAlone(vtkAlgorithm* algorithm)
   {
     done = false;
   }
-  PyEval_RestoreThread(state);
+  if (state)
+  {
+    PyEval_RestoreThread(state);
+  }
   return done;
 }
 
@@ -307,8 +318,9 @@ PyObject* watch(PyObject*, PyObject* object)
 
 PyMethodDef methods[] = {
   { "update", update, METH_O,
-    "update(algorithm) -> None\n\nCalls its Update() and lets other threads work meanwhile; raises "
-    "what a signal's\nhandler raises, as KeyboardInterrupt." },
+    "update(algorithm) -> None\n\nCalls its Update(), and raises what a signal's handler raises, "
+    "as "
+    "KeyboardInterrupt.\nOther threads work meanwhile if releases_gil is True." },
   { "watch", watch, METH_O,
     "watch(main_thread_ident) -> None\n\nFrom now on signals are heard while a filter of the "
     "library works." },
@@ -321,5 +333,10 @@ PyModuleDef definition = { PyModuleDef_HEAD_INIT, "_execution", nullptr, -1, met
 
 PyMODINIT_FUNC PyInit__execution()
 {
-  return PyModule_Create(&definition);
+  PyObject* const module = PyModule_Create(&definition);
+  if (module)
+  {
+    PyModule_AddObject(module, "releases_gil", PyBool_FromLong(releasesGil));
+  }
+  return module;
 }

@@ -190,7 +190,7 @@ def remesh(
     Notes
     -----
     Time goes with triangles + points: 10 000 points of a scan take a few seconds. Several threads'
-    calls take turns; other Python threads work on meanwhile.
+    calls take turns; other Python threads work on meanwhile, but not with ParaView's VTK.
 
     Source: B. Levy, N. Bonneel: Variational Anisotropic Surface Meshing with Voronoi Parallel
     Linear Enumeration. 21st International Meshing Roundtable, 2012.

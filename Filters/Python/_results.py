@@ -4,7 +4,6 @@ from __future__ import annotations
 from typing import Any, Dict, List, NamedTuple, Optional
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _surfaces
@@ -250,7 +249,7 @@ class Embedded(_Result):
     @property
     def embedding(self) -> numpy.ndarray[Any, Any]:
         """(n, d) numpy view, a row for each point of the surface: where it is in R^d."""
-        return vtk_to_numpy(self._plain().GetPointData().GetArray("Embedding"))
+        return _surfaces.view_of(self._plain().GetPointData().GetArray("Embedding"))
 
     def _facts(self) -> Dict[str, str]:
         return {

@@ -270,18 +270,24 @@ def write(data: Any, path: Any) -> None:
 
 
 # --- Out ------------------------------------------------------------------------------------------
-def points_of(data: Any) -> Any:
-    """(n, 3) view of a data set's points; it keeps the VTK array alive."""
+def view_of(array: Any) -> numpy.ndarray[Any, Any]:
+    """A view of a VTK array, which it keeps alive."""
+    view: numpy.ndarray[Any, Any] = vtk_to_numpy(array)
+    return view
+
+
+def points_of(data: Any) -> numpy.ndarray[Any, Any]:
+    """(n, 3) view of a data set's points."""
     points = data.GetPoints()
-    return vtk_to_numpy(points.GetData()) if points else numpy.empty((0, 3))
+    return view_of(points.GetData()) if points else numpy.empty((0, 3))
 
 
-def cells_of(cells: Any) -> Tuple[Any, Any]:
+def cells_of(cells: Any) -> Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]:
     """(offsets, corners): views of a vtkCellArray's arrays."""
-    return vtk_to_numpy(cells.GetOffsetsArray()), vtk_to_numpy(cells.GetConnectivityArray())
+    return view_of(cells.GetOffsetsArray()), view_of(cells.GetConnectivityArray())
 
 
-def triangles_of(data: Any) -> Any:
+def triangles_of(data: Any) -> numpy.ndarray[Any, Any]:
     """(m, 3) view of the triangles of a mesh of triangles alone."""
     return cells_of(data.GetPolys())[1].reshape(-1, 3)
 
@@ -292,7 +298,7 @@ def arrays_of(attributes: Any) -> Dict[str, Any]:
     for index in range(attributes.GetNumberOfArrays()):
         array = attributes.GetAbstractArray(index)
         if array.IsNumeric():
-            found[array.GetName()] = vtk_to_numpy(array)
+            found[array.GetName()] = view_of(array)
         else:
             found[array.GetName()] = [
                 array.GetValue(k) for k in range(array.GetNumberOfValues())

@@ -480,7 +480,7 @@ class TestProgress(unittest.TestCase):
         self.assertEqual([(bar.n, bar.total, bar.closed) for bar in bars], [(100, 100, True)])
 
     def test_threads(self):
-        """Other threads work on while one remeshes; two runs take turns and do not mix."""
+        """Other threads work on while one remeshes (but with ParaView's VTK); two runs take turns and do not mix."""
         expected = ar.remesh(self.surface, 300, **QUICK).points
         ticks, done, found = [], threading.Event(), []
 
@@ -497,7 +497,8 @@ class TestProgress(unittest.TestCase):
             thread.join()
         done.set()
         threads[0].join()
-        self.assertGreater(len(ticks), 10)
+        if _run._execution.releases_gil:
+            self.assertGreater(len(ticks), 10)
         self.assertTrue(all((points == expected).all() for points in found))
         self.assertEqual(len(found), 2)
 
