@@ -37,6 +37,11 @@ from .vtkFiltersAnisotropicRemeshing import (
 
 _execution.watch(_threading.main_thread().ident or 0)
 
+# Where they are to be found, as tracebacks and help() tell it.
+for _public in (Compared, Diagram, Distance, Embedded, Remeshed, RemeshingError, RemeshingStopped,
+                RemeshingWarning, compare, embed, remesh, voronoi):
+    _public.__module__ = __name__
+
 __all__ = [
     "Compared",
     "Diagram",

@@ -282,14 +282,14 @@ def points_of(data: Any) -> numpy.ndarray[Any, Any]:
     return view_of(points.GetData()) if points else numpy.empty((0, 3))
 
 
-def cells_of(cells: Any) -> Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]:
-    """(offsets, corners): views of a vtkCellArray's arrays."""
-    return view_of(cells.GetOffsetsArray()), view_of(cells.GetConnectivityArray())
+def corners_of(cells: Any) -> numpy.ndarray[Any, Any]:
+    """A view of the indices of points of a vtkCellArray's cells, one after the other."""
+    return view_of(cells.GetConnectivityArray())
 
 
 def triangles_of(data: Any) -> numpy.ndarray[Any, Any]:
     """(m, 3) view of the triangles of a mesh of triangles alone."""
-    return cells_of(data.GetPolys())[1].reshape(-1, 3)
+    return corners_of(data.GetPolys()).reshape(-1, 3)
 
 
 def arrays_of(attributes: Any) -> Dict[str, Any]:
@@ -311,12 +311,12 @@ def _numpy_mesh(mesh: Any) -> Any:
 
 
 def _numpy_polygons(data: Any) -> Any:
-    offsets, corners = cells_of(data.GetPolys())
-    return points_of(data), numpy.split(corners, offsets[1:-1])
+    offsets = view_of(data.GetPolys().GetOffsetsArray())
+    return points_of(data), numpy.split(corners_of(data.GetPolys()), offsets[1:-1])
 
 
 def _numpy_lines(data: Any) -> Any:
-    return points_of(data), cells_of(data.GetLines())[1].reshape(-1, 2)
+    return points_of(data), corners_of(data.GetLines()).reshape(-1, 2)
 
 
 def _numpy_table(table: Any) -> Any:

@@ -103,7 +103,10 @@ def class_lines(kind, types):
     bases = [types.spell(base.__name__) for base in kind.__bases__ if base is not object]
     yield f"class {kind.__name__}({', '.join(bases)}):"
     if not kind.__name__.endswith("Algorithm"):
-        yield "    def __init__(self) -> None: ..."
+        # From VTK 9.4 on properties are attributes, too, and arguments.
+        has_attributes = any(inspect.isdatadescriptor(value) for value in vars(kind).values())
+        more = ", **properties: Any" if has_attributes else ""
+        yield f"    def __init__(self{more}) -> None: ..."
     for name, value in sorted(vars(kind).items()):
         if name.startswith("_"):
             continue
@@ -111,6 +114,8 @@ def class_lines(kind, types):
             yield f"    class {name}(int): ..."
         elif isinstance(value, int):
             yield f"    {name}: int"
+        elif inspect.isdatadescriptor(value):
+            yield f"    {name}: Any"
         elif callable(value):
             yield from method_lines(name, value, types)
     yield ""

@@ -8,11 +8,16 @@ import importlib.metadata
 import importlib.util
 import inspect
 import os
+import pickle
 import re
 import subprocess
 import sys
-import tomllib
 import unittest
+
+try:
+    import tomllib
+except ImportError:  # before Python 3.11
+    tomllib = None
 
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -49,6 +54,11 @@ class TestPackage(unittest.TestCase):
         for name in CLASSES:
             self.assertIs(getattr(ar, name), getattr(module, name))
 
+    def test_pickles(self):
+        self.assertEqual(ar.RemeshingError.__module__, "anisotropic_remeshing")
+        error = pickle.loads(pickle.dumps(ar.RemeshingError("text")))
+        self.assertEqual(error.args, ("text",))
+
     def test_documents(self):
         for name in ar.__all__:
             public = getattr(ar, name)
@@ -69,6 +79,7 @@ class TestPackage(unittest.TestCase):
         self.assertEqual(ar.__version__, version)
         self.assertEqual(importlib.metadata.version("anisotropic-remeshing"), version)
 
+    @unittest.skipIf(tomllib is None, "no tomllib")
     def test_metadata(self):
         """What CMake installs is what pip does."""
         given = tomllib.loads(text_of("pyproject.toml"))
