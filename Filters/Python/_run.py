@@ -68,8 +68,9 @@ def set_property(algorithm: Any, argument: str, value: Any) -> None:
         getattr(algorithm, "Set" + name)(value)
     except OverflowError:
         raise ValueError(f"{argument} is out of range: {value!r}.") from None
-    except TypeError as error:
-        kind = "a whole number" if "integer" in str(error) else "a number"
+    except TypeError:
+        whole = isinstance(getattr(algorithm, "Get" + name)(), int)
+        kind = "a whole number" if whole else "a number"
         raise TypeError(f"{argument} must be {kind}, not {value!r}.") from None
 
 
