@@ -114,8 +114,9 @@ else ()
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-anisotropic-remeshing)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(interpreter "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}~)")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "${library}, python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}~), python3-vtk9")
+    "${library}, ${interpreter}, python3-numpy, python3-vtk9")
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${summary} (Python 3)\n${story}\nThe package for Python.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     "${PROJECT_SOURCE_DIR}/CMake/Debian/postinst;${PROJECT_SOURCE_DIR}/CMake/Debian/prerm")

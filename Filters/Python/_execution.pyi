@@ -1,0 +1,6 @@
+from typing import Any
+
+releases_gil: bool
+
+def update(algorithm: Any) -> None: ...
+def watch(main_thread_ident: int) -> None: ...
