@@ -83,9 +83,9 @@ void AppendWrapped(std::string& help, const std::string& text)
 std::string LeftOf(const CLI::Option* option)
 {
   const auto& letters = option->get_snames();
-  const std::string value = option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+  const std::string type = option->get_type_name(); // of a flag, none
   return (letters.empty() ? "      " : "  -" + letters.front() + ", ") + "--" +
-    option->get_lnames().front() + value;
+    option->get_lnames().front() + (type.empty() ? "" : " " + type);
 }
 
 /** Whether one of these words is among the options. */
@@ -117,9 +117,10 @@ void Parse(OptionTable& table, std::vector<std::string> arguments)
   }
   catch (const CLI::ArgumentMismatch& error)
   {
-    const std::string name = error.what();
-    const bool isFlag = name.find("flag") != std::string::npos;
-    UsageError(name.substr(0, name.find(':')) + (isFlag ? " takes no value" : " needs a value"));
+    const std::string text = error.what(); // "--points: 1 required", "quiet was given a ... flag"
+    const std::string name = text.substr(0, text.find_first_of(": "));
+    const bool isFlag = name.rfind("-", 0) != 0;
+    UsageError(isFlag ? "--" + name + " takes no value" : name + " needs a value");
   }
   catch (const CLI::ParseError& error)
   {

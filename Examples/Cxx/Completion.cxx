@@ -28,7 +28,7 @@ std::vector<std::string> NamesOf(const CLI::Option* option)
 
 bool TakesValue(const CLI::Option* option)
 {
-  return option->get_type_size() != 0;
+  return !option->get_type_name().empty();
 }
 
 bool TakesFile(const CLI::Option* option)
@@ -74,7 +74,7 @@ std::string Bash(const OptionTable& table)
     cases +
     "  esac\n"
     "  case $current in\n"
-    "    -?*) COMPREPLY=($(compgen -W '" +
+    "    -*) COMPREPLY=($(compgen -W '" +
     all +
     "' -- \"$current\")) ;;\n"
     "    *) compopt -o filenames 2>/dev/null; COMPREPLY=($(compgen -f -- \"$current\")) ;;\n"

@@ -167,7 +167,8 @@ void OptionTable::AddRemeshing()
     "Number of points of the new mesh, at least 4, those on features among them. Default 10000.",
     Whole(&Options::NumberOfPoints, Limits::min(), Limits::max()));
   this->Add("-t,--tolerance", "T",
-    "Instead of --points: as many as keep mesh and surface within this distance of each other, a "
+    "Distance tolerance instead of --points: as many as keep mesh and surface within this distance "
+    "of each other, a "
     "fraction of the bounding-box diagonal, 1e-7 to 1. Not with --initial-sites. Default 0: off.",
     SetTolerance);
   this->Add("--max-points", "N",
@@ -218,7 +219,8 @@ void OptionTable::AddRemeshing()
 void OptionTable::AddEmbedding()
 {
   this->Group = "Embedding";
-  this->Add("--dimension", "D", "6: position and normal (default); 3: position alone, isotropic.",
+  this->Add("--dimension", "D",
+    "Of the embedding. 6: position and normal (default); 3: position alone, isotropic.",
     [](Options& options, const std::string& name, const std::string& value)
     {
       if (value != "3" && value != "6")

@@ -99,7 +99,8 @@ class TestUsage(CommandLineTest):
                      "max-extra-points", "lloyd", "newton", "seed", "sampling", "threads",
                      "backend", "normal-smoothing", "merge-tolerance", "placement"):
             with self.subTest(name=name):
-                expected = str(used[name.replace("-", "_")])
+                value = used[name.replace("-", "_")]
+                expected = f"{value:g}" if isinstance(value, float) else str(value)
                 for text in (in_help, in_manual):
                     section, = (part for part in text if re.match(rf'{name}"?\s', part))
                     found = re.findall(r"Default\s+(-?[\d.]*\d)|(\w+)\s+\(default\)", section)

@@ -194,29 +194,38 @@ class TestCompare(CommandLineTest):
         return {}
 
 
+def lead_session(command, folder, environment, done):
+    """Runs the command on the terminal, which would lose its last words if its leader ended."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    status = subprocess.run(
+        command, cwd=folder, env={**os.environ, "TERM": "xterm", **environment}, check=False,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)).returncode
+    os.write(done, str(status).encode())
+    time.sleep(60)
+    os._exit(0)
+
+
 def on_terminal(command, folder, send=None, environment=None):
     """Exit status and output of a command on a terminal of its own; `send` is typed at 'READY'."""
-    process, terminal = pty.fork()
-    if process == 0:
-        os.chdir(folder)
-        os.environ.update({"TERM": "xterm", **(environment or {})})
-        os.execvp(command[0], command)
+    status, done = os.pipe()
+    leader, terminal = pty.fork()
+    if leader == 0:
+        lead_session(command, folder, environment or {}, done)
     text = b""
-    deadline = time.monotonic() + 60
-    while time.monotonic() < deadline and select.select([terminal], [], [], 60)[0]:
-        try:
-            chunk = os.read(terminal, 65536)
-        except OSError:  # Linux: nobody has it open any more
-            break
-        if not chunk:
-            break
-        text += chunk
+    ready = [terminal]
+    while terminal in ready:  # all that there is when the command has ended
+        ready = select.select([terminal, status], [], [], 60)[0]
+        if terminal in ready:
+            text += os.read(terminal, 65536)
         if send and b"READY" in text and b"%" in text:
             os.write(terminal, send)
             send = None
-    os.close(terminal)
-    status = os.waitpid(process, 0)[1]
-    return os.waitstatus_to_exitcode(status), text.decode()
+    code = int(os.read(status, 20)) if ready else None
+    os.kill(leader, signal.SIGKILL)
+    os.waitpid(leader, 0)
+    for file in (status, done, terminal):
+        os.close(file)
+    return code, text.decode()
 
 
 class TestTerminal(CommandLineTest):
