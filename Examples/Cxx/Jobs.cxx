@@ -127,33 +127,38 @@ void FillNames(Options& job)
     job.*name = Fill(job.*name, job);
   }
 }
+/** Takes the output from the end of the files; empty if there is none, or a pattern for it. */
+std::string TakeOutput(std::vector<std::string>& files, const Options& options)
+{
+  std::string output;
+  const bool onlyCompares = !options.Compare.empty() && files.size() == 1;
+  if (std::find(files.begin(), files.end(), "") != files.end())
+  {
+    UsageError("a file needs a name that is not empty");
+  }
+  if (options.OutputPattern.empty() && !onlyCompares && !files.empty())
+  {
+    output = files.back();
+    files.pop_back();
+  }
+  if (files.empty())
+  {
+    UsageError("needs an input file and an output file");
+  }
+  if (files.size() > 1 && !output.empty() && !IsFolder(output))
+  {
+    UsageError("takes one input file and one output file, or a folder behind several inputs; '" +
+      output + "' is too much, or no folder");
+  }
+  return output;
+}
 } // namespace
 
 std::vector<Options> ListJobs(const Options& options)
 {
   std::vector<std::string> inputs = options.Files;
-  const bool hasPattern = !options.OutputPattern.empty();
-  const bool onlyCompares = !hasPattern && !options.Compare.empty() && inputs.size() == 1;
-  std::string output;
-  if (!hasPattern && !onlyCompares && !inputs.empty())
-  {
-    output = inputs.back();
-    inputs.pop_back();
-  }
-  if (inputs.empty())
-  {
-    UsageError("needs an input file and an output file");
-  }
-  if (std::find(options.Files.begin(), options.Files.end(), "") != options.Files.end())
-  {
-    UsageError("a file needs a name that is not empty");
-  }
+  const std::string output = TakeOutput(inputs, options);
   const bool isFolder = !output.empty() && IsFolder(output);
-  if (inputs.size() > 1 && !hasPattern && !isFolder)
-  {
-    UsageError("takes one input file and one output file, or a folder behind several inputs; '" +
-      output + "' is too much, or no folder");
-  }
   std::vector<Options> jobs;
   for (const std::string& input : inputs)
   {
@@ -161,10 +166,12 @@ std::vector<Options> ListJobs(const Options& options)
     job.Files = inputs;
     job.Input = input;
     job.IsOneOfMany = inputs.size() > 1;
-    job.Output = isFolder
-      ? (fs::path(output) / (StemOf(input) + ExtensionFor(options, input))).string()
-      : output;
-    if (hasPattern || isFolder)
+    job.Output = output;
+    if (isFolder)
+    {
+      job.Output = fs::path(output) / (StemOf(input) + ExtensionFor(options, input));
+    }
+    if (isFolder || !options.OutputPattern.empty())
     {
       FillNames(job);
     }

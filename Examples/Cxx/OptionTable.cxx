@@ -194,6 +194,10 @@ void OptionTable::AddRemeshing()
     "How many more points the mesh may have where it cannot be like the surface otherwise; 0: "
     "none, -1: unlimited. Default -2: one percent of the points.",
     Whole(&Options::MaximumExtraPoints, -2, std::numeric_limits<int>::max()));
+}
+
+void OptionTable::AddOptimization()
+{
   this->Add("--lloyd", "K", "Lloyd iterations, 0 to 100000. Default 5.",
     Whole(&Options::LloydIterations, 0, 100000));
   this->Add("--newton", "K", "Quasi-Newton iterations after them, 0 to 100000. Default 30.",
@@ -242,6 +246,15 @@ void OptionTable::AddEmbedding()
   this->Add("--embedding-array", "NAME",
     "Point array that replaces position and normal: the place of each point in R^d.",
     Text(&Options::EmbeddingArray));
+  this->AddCoordinates();
+  this->Add("--merge-tolerance", "T",
+    "Merge input points closer than this fraction of the bounding-box diagonal, 0 to 0.1. "
+    "Default 0: equal points, and ends of sides that are nothing but rounding.",
+    Real(&Options::MergeTolerance, 0.0, 0.1));
+}
+
+void OptionTable::AddCoordinates()
+{
   this->App
     .add_option_function<std::vector<std::string>>(
       "--coordinates",
@@ -256,10 +269,6 @@ void OptionTable::AddEmbedding()
     ->type_name("NAME=SCALE")
     ->group(this->Group)
     ->allow_extra_args(false);
-  this->Add("--merge-tolerance", "T",
-    "Merge input points closer than this fraction of the bounding-box diagonal, 0 to 0.1. "
-    "Default 0: equal points, and ends of sides that are nothing but rounding.",
-    Real(&Options::MergeTolerance, 0.0, 0.1));
 }
 
 void OptionTable::AddComputation()
@@ -322,6 +331,7 @@ OptionTable::OptionTable(Options& options)
   this->App.allow_extras();
   this->App.add_option("files", options.Files)->group("");
   this->AddRemeshing();
+  this->AddOptimization();
   this->AddEmbedding();
   this->AddFiles();
   this->AddComputation();

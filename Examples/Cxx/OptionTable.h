@@ -38,7 +38,9 @@ private:
   void AddFile(const std::string& names, const std::string& value, std::string Options::*member,
     const std::string& text);
   void AddRemeshing();
+  void AddOptimization();
   void AddEmbedding();
+  void AddCoordinates();
   void AddComputation();
   void AddFiles();
   void AddOther();

@@ -186,23 +186,15 @@ void AddStrips(const PlyElement& element, vtkIdType pointCount, vtkCellArray* po
   }
 }
 
-/**
- * With texture coordinates for each corner of the faces, a point is there once for each pair of
- * them that it has.
- */
-vtkSmartPointer<vtkPolyData> SplitAtSeams(vtkPolyData* surface, const PlyProperty& textures)
+/** The polygons' corners with the texture coordinates of each. */
+CornerMesh TexturedCorners(vtkCellArray* polygons, const PlyProperty& textures)
 {
   CornerMesh mesh;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    mesh.Points.push_back(static_cast<double>(i)); // which tells where each point comes from
-    mesh.Points.insert(mesh.Points.end(), { 0.0, 0.0 });
-  }
   std::map<std::pair<double, double>, vtkIdType> known;
   vtkIdType size = 0;
   const vtkIdType* ids = nullptr;
   std::size_t row = 0;
-  for (surface->GetPolys()->InitTraversal(); surface->GetPolys()->GetNextCell(size, ids) != 0;)
+  for (polygons->InitTraversal(); polygons->GetNextCell(size, ids) != 0;)
   {
     std::size_t next = textures.Offsets[row];
     if (textures.Offsets[++row] - next != 2 * static_cast<std::size_t>(size))
@@ -221,13 +213,25 @@ vtkSmartPointer<vtkPolyData> SplitAtSeams(vtkPolyData* surface, const PlyPropert
     }
     mesh.Offsets.push_back(static_cast<vtkIdType>(mesh.Corners.size()));
   }
+  return mesh;
+}
+
+/** A point is there once for each pair of texture coordinates that corners have there. */
+vtkSmartPointer<vtkPolyData> SplitAtSeams(vtkPolyData* surface, const PlyProperty& textures)
+{
+  CornerMesh mesh = TexturedCorners(surface->GetPolys(), textures);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    // Instead of its place, where each point comes from.
+    mesh.Points.insert(mesh.Points.end(), { static_cast<double>(i), 0.0, 0.0 });
+  }
   const auto split = MakeSurface(mesh);
   vtkPointData* data = split->GetPointData();
   const vtkIdType count = split->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
   points->SetDataType(surface->GetPoints()->GetDataType());
   points->SetNumberOfPoints(count);
-  vtkSmartPointer<vtkDataArray> coordinates = data->GetTCoords();
+  const vtkSmartPointer<vtkDataArray> coordinates = data->GetTCoords();
   data->Initialize();
   data->CopyAllocate(surface->GetPointData(), count);
   for (vtkIdType i = 0; i < count; ++i)
@@ -236,27 +240,24 @@ vtkSmartPointer<vtkPolyData> SplitAtSeams(vtkPolyData* surface, const PlyPropert
     points->SetPoint(i, surface->GetPoint(source));
     data->CopyData(surface->GetPointData(), source, i);
   }
-  if (coordinates != nullptr)
-  {
-    data->SetTCoords(coordinates);
-  }
+  data->SetTCoords(coordinates);
   split->SetPoints(points);
   return split;
+}
+const PlyElement* FindElement(const std::vector<PlyElement>& elements, const char* name)
+{
+  const auto found = std::find_if(elements.begin(), elements.end(),
+    [name](const PlyElement& element) { return element.Name == name; });
+  return found != elements.end() ? &*found : nullptr;
 }
 } // namespace
 
 vtkSmartPointer<vtkPolyData> ReadPly(const std::string& bytes)
 {
   const std::vector<PlyElement> elements = ReadPlyElements(bytes);
-  const auto find = [&elements](const char* name)
-  {
-    const auto it = std::find_if(elements.begin(), elements.end(),
-      [name](const PlyElement& element) { return element.Name == name; });
-    return it != elements.end() ? &*it : nullptr;
-  };
-  const PlyElement* vertices = find("vertex");
-  const PlyElement* faces = find("face");
-  const PlyElement* strips = find("tristrips");
+  const PlyElement* vertices = FindElement(elements, "vertex");
+  const PlyElement* faces = FindElement(elements, "face");
+  const PlyElement* strips = FindElement(elements, "tristrips");
   if (vertices == nullptr)
   {
     Malformed("it has no element 'vertex'");
@@ -264,20 +265,21 @@ vtkSmartPointer<vtkPolyData> ReadPly(const std::string& bytes)
   vtkSmartPointer<vtkPolyData> surface = ReadPoints(*vertices);
   vtkNew<vtkCellArray> polygons;
   surface->SetPolys(polygons);
+  const PlyProperty* textures = faces != nullptr ? faces->Find("texcoord") : nullptr;
   if (faces != nullptr)
   {
     AddFaces(*faces, vertices->Count, polygons);
-    const PlyProperty* textures = faces->Find("texcoord");
-    if (textures != nullptr && textures->IsList && strips == nullptr)
-    {
-      surface = SplitAtSeams(surface, *textures);
-    }
   }
   if (strips != nullptr)
   {
     AddStrips(*strips, vertices->Count, polygons);
+    return surface;
   }
-  else if (faces != nullptr)
+  if (textures != nullptr && textures->IsList && faces->Count > 0)
+  {
+    surface = SplitAtSeams(surface, *textures);
+  }
+  if (faces != nullptr)
   {
     AddArrays(*faces, surface->GetCellData(), {});
   }

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <sys/resource.h>
 
 using Json = nlohmann::ordered_json;
@@ -137,4 +138,20 @@ std::string ComparisonReportText(const Options& options, vtkTable* comparison)
   return TextOf({ { "mesh", options.Input }, { "reference", options.Compare },
                   { "comparison", ComparisonOf(comparison) } },
     options.IsOneOfMany);
+}
+
+std::string ResultText(vtkPolyData* mesh, double diagonal, double seconds)
+{
+  std::string line = std::to_string(mesh->GetNumberOfPoints()) + " points, " +
+    std::to_string(mesh->GetNumberOfPolys()) + " triangles, topology " +
+    (FactOf(mesh, "TopologyPreserved") > 0 ? "preserved" : "not proven");
+  char text[80];
+  if (vtkDataArray* distance = mesh->GetFieldData()->GetArray("RMSDistance"))
+  {
+    std::snprintf(text, sizeof(text), ", RMS distance %.1e of the diagonal",
+      distance->GetComponent(0, 0) / diagonal);
+    line += text;
+  }
+  std::snprintf(text, sizeof(text), ", %.1f s", seconds);
+  return line + text;
 }

@@ -32,4 +32,10 @@ std::string ReportText(const Options& options, vtkPolyData* input, vtkAnisotropi
 /** The report where nothing was remeshed. */
 std::string ComparisonReportText(const Options& options, vtkTable* comparison);
 
+/**
+ * The same in a few words, "5000 points, 9996 triangles, ..."; the distance as a fraction of the
+ * diagonal.
+ */
+std::string ResultText(vtkPolyData* mesh, double diagonal, double seconds);
+
 #endif

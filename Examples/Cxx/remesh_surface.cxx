@@ -14,7 +14,6 @@
 #include "Comparison.h"
 #include "Completion.h"
 #include "Failure.h"
-#include "InputBytes.h"
 #include "Interruption.h"
 #include "Jobs.h"
 #include "Messages.h"
@@ -40,7 +39,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
@@ -276,31 +274,6 @@ void Announce(const std::vector<Output>& outputs, OutputFiles& files, const Opti
   }
 }
 
-/** "mesh.vtp: 5000 points, 9996 triangles, ..." */
-std::string LastLine(Run& run)
-{
-  vtkPolyData* mesh = run.Remesher->GetOutput();
-  const auto fact = [mesh](const char* name, double missing)
-  {
-    vtkDataArray* array = mesh->GetFieldData()->GetArray(name);
-    return array != nullptr ? array->GetComponent(0, 0) : missing;
-  };
-  std::string line = Colored(run.Parameters.Output + ":", Color::Bold, STDOUT_FILENO) + " " +
-    std::to_string(mesh->GetNumberOfPoints()) + " points, " +
-    std::to_string(mesh->GetNumberOfPolys()) + " triangles, topology " +
-    (fact("TopologyPreserved", 0) > 0 ? "preserved" : "not proven");
-  char text[80];
-  const double distance = fact("RMSDistance", -1);
-  if (distance >= 0)
-  {
-    std::snprintf(text, sizeof(text), ", RMS distance %.1e of the diagonal",
-      distance / std::max(run.Surface->GetLength(), 1e-300));
-    line += text;
-  }
-  std::snprintf(text, sizeof(text), ", %.1f s", run.Watch.GetSeconds());
-  return line + text;
-}
-
 void TellResult(Run& run)
 {
   const Options& options = run.Parameters;
@@ -321,7 +294,10 @@ void TellResult(Run& run)
   }
   if (!options.Quiet && !isData && !options.Output.empty())
   {
-    std::cout << LastLine(run) << std::endl;
+    std::cout << Colored(options.Output + ":", Color::Bold, STDOUT_FILENO) << ' '
+              << ResultText(
+                   run.Remesher->GetOutput(), run.Surface->GetLength(), run.Watch.GetSeconds())
+              << std::endl;
   }
 }
 
@@ -390,11 +366,6 @@ int Main(const std::vector<std::string>& arguments)
   return EXIT_SUCCESS;
 }
 
-int GiveUp(const std::string& sentence, int status)
-{
-  PrintError(sentence);
-  return status;
-}
 } // namespace
 
 int main(int argc, char* argv[])
@@ -407,15 +378,16 @@ int main(int argc, char* argv[])
   }
   catch (const Failure& failure)
   {
-    status = GiveUp(failure.what(), failure.Status);
+    PrintError(failure.what());
+    status = failure.Status;
   }
   catch (const std::bad_alloc&)
   {
-    status = GiveUp("not enough memory", EXIT_CANNOT);
+    PrintError("not enough memory");
   }
   catch (const std::exception& error)
   {
-    status = GiveUp(error.what(), EXIT_CANNOT);
+    PrintError(error.what());
   }
   DieIfInterrupted();
   return status;

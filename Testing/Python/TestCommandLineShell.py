@@ -11,7 +11,6 @@ import shutil
 import signal
 import subprocess
 import time
-import unittest
 
 from CommandLineTesting import (LAST_LINE, SMALL, CommandLineTest, content, load, main, read, sphere,
                                 write)
@@ -325,22 +324,13 @@ class TestCompletion(CommandLineTest):
         expected |= {f"-{letter}" for letter, _, _ in self.options if letter}
         self.assertEqual(found, expected)
         # Single quotes pair up in every shell.
-        self.assertEqual(subprocess.run(["bash", "-n", "zsh"], cwd=self.folder, check=False,
-                                        capture_output=True).returncode, 0)
+        subprocess.run([shutil.which("zsh") or "bash", "-n", "./zsh"], cwd=self.folder, check=True)
 
     def test_fish(self):
         found = re.findall(r"^complete -c remesh_surface -l ([a-z-]+)(?: -s (\w))?( -[rx])?",
                            self.script("fish"), re.MULTILINE)
         self.assertEqual([(letter, name, value != "") for name, letter, value in found],
                          [(letter, name, value != "") for letter, name, value in self.options])
-
-    @unittest.skipUnless(shutil.which("zsh") and shutil.which("fish"), "needs zsh and fish")
-    def test_shells_read_them(self):
-        for shell in ("zsh", "fish"):
-            self.script(shell)
-            result = subprocess.run([shell, "-n", self.path(shell)], capture_output=True,
-                                    check=False)
-            self.assertEqual((result.returncode, result.stderr), (0, b""))
 
 
 if __name__ == "__main__":
