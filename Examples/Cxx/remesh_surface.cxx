@@ -330,7 +330,8 @@ int RemeshAll(const std::vector<Options>& jobs)
     }
     catch (const Failure& failure)
     {
-      PrintError(failure.what());
+      // A reader that was stopped may have complained.
+      PrintError(Interrupted() ? "interrupted" : failure.what());
       status = std::max<int>(status, failure.Status);
     }
     if (Interrupted())
