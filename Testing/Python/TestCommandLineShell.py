@@ -12,8 +12,8 @@ import signal
 import subprocess
 import time
 
-from CommandLineTesting import (LAST_LINE, SMALL, CommandLineTest, content, load, main, read, sphere,
-                                write)
+from CommandLineTesting import (LAST_LINE, SMALL, CommandLineTest, content, load, main, read,
+                                sphere, write)
 
 
 class TestSeveralFiles(CommandLineTest):
