@@ -59,8 +59,7 @@
  * Empty input gives empty outputs, whatever arrays are chosen, and so, with a warning, does one
  * whose polygons have no area.
  * Unusable input (no polygons, non-finite coordinates, fewer than 4 points asked for, wrong arrays)
- * is an error, and all outputs are empty. An aborted run leaves them empty and is no error; as VTK
- * takes them for what the filter made, it takes Modified() or a changed parameter to run it again.
+ * is an error, and all outputs are empty. An aborted run leaves them empty, and is no error.
  *
  * Cost: about proportional to facets + sites for each iteration; memory proportional to
  * (facets + sites) d.

@@ -6,9 +6,11 @@
 #include "Adaptors/InputOrder.h"
 #include "Adaptors/OutputPorts.h"
 #include "Adaptors/SurfaceGathering.h"
+#include "Adaptors/VTKCompatibility.h"
 #include "Adaptors/WholeData.h"
 
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -25,8 +27,18 @@
 #include <string>
 #include <vector>
 
-vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm() = default;
+vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm()
+{
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkWholeSurfaceAlgorithm::ForgetAbort);
+}
+
 vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm() = default;
+
+/** From VTK 9.2 on, executives leave the flag of an aborted execution, and the next would end. */
+void vtkWholeSurfaceAlgorithm::ForgetAbort()
+{
+  this->SetAbortExecute(0);
+}
 
 int vtkWholeSurfaceAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -65,6 +77,48 @@ vtkTypeBool vtkWholeSurfaceAlgorithm::ProcessRequest(
 
 namespace
 {
+vtkSmartPointer<vtkCommand> executionObserver;
+
+/** Tells the process's observer of an execution, as long as this object lives. */
+class ObservedExecution
+{
+public:
+  explicit ObservedExecution(vtkAlgorithm* algorithm)
+    : Algorithm(algorithm)
+    , Observer(executionObserver)
+  {
+    if (this->Observer)
+    {
+      this->Observer->Execute(algorithm, vtkCommand::StartEvent, nullptr);
+      this->Tag = algorithm->AddObserver(vtkCommand::AbortCheckEvent, this->Observer);
+    }
+  }
+  ~ObservedExecution()
+  {
+    if (this->Observer)
+    {
+      this->Algorithm->RemoveObserver(this->Tag);
+      this->Observer->Execute(this->Algorithm, vtkCommand::EndEvent, nullptr);
+    }
+  }
+  ObservedExecution(const ObservedExecution&) = delete;
+  void operator=(const ObservedExecution&) = delete;
+
+private:
+  vtkAlgorithm* Algorithm;
+  vtkSmartPointer<vtkCommand> Observer;
+  unsigned long Tag = 0;
+};
+
+/** So that they count as old, and the next Update() executes again. */
+void markNotGenerated(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
+}
+
 /** The ports with other data: the filter's own are left as they are. */
 class WholePorts
 {
@@ -311,6 +365,11 @@ private:
   }
 };
 
+void vtkWholeSurfaceAlgorithm::SetExecutionObserver(vtkCommand* observer)
+{
+  executionObserver = observer;
+}
+
 int vtkWholeSurfaceAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -358,9 +417,15 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   int done = 1;
   if (gathering.worksHere())
   {
+    const ObservedExecution observed(this);
     done = this->WorkOnWhole(whole);
   }
-  return gathering.finish(done, outputVector, this->DistributeOutputs);
+  done = gathering.finish(done, outputVector, this->DistributeOutputs);
+  if (remesh::abortRequested(this))
+  {
+    markNotGenerated(outputVector);
+  }
+  return done;
 }
 
 int vtkWholeSurfaceAlgorithm::WorkOnWhole(vtkWhole& whole)

@@ -46,12 +46,20 @@
  *   the processes;
  * - `InputCellId` numbers the cells of the pieces one after the other, without ghost cells;
  * - an error or warning is told on the first process alone, and the execution fails on all.
+ *
+ * @par Aborting:
+ * `AbortExecute`, set by an observer or by another thread, ends an execution within a fraction of a
+ * second. All outputs are empty then, which is no error, and the next Update() executes again. Some
+ * thirty times a second the thread that executes invokes AbortCheckEvent, whose observers may set
+ * it, too.
  */
 #ifndef vtkWholeSurfaceAlgorithm_h
 #define vtkWholeSurfaceAlgorithm_h
 
 #include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkCommand;
 
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkWholeSurfaceAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -70,6 +78,16 @@ public:
   vtkGetMacro(DistributeOutputs, bool);
   vtkBooleanMacro(DistributeOutputs, bool);
   ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * A command for all filters of this library in this process, or nullptr (default): it gets
+   * StartEvent before one does its work, AbortCheckEvent meanwhile and EndEvent after it, from the
+   * thread that executes. For bindings of languages, where signals wait while a filter works. Not
+   * to be changed while one does.
+   */
+  static void SetExecutionObserver(vtkCommand* observer);
+#endif
 
   vtkTypeBool ProcessRequest(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -112,6 +130,7 @@ private:
 
   struct vtkWhole;
   int WorkOnWhole(vtkWhole& whole);
+  void ForgetAbort();
 
   bool DistributeOutputs = false;
 };

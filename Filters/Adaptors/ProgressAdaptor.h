@@ -8,11 +8,47 @@
 #include "Adaptors/VTKCompatibility.h"
 #include "Support/RunControl.h"
 
+#include "vtkCommand.h"
+
 #include <algorithm>
+#include <chrono>
 #include <memory>
+#include <thread>
 
 namespace remesh
 {
+/**
+ * Whether to stop. Who observes AbortCheckEvent is asked first, at most every 30 ms: by the thread
+ * that executes the filter alone, which is the one that makes this object.
+ */
+class AbortCheck
+{
+public:
+  explicit AbortCheck(vtkAlgorithm* algorithm)
+    : m_algorithm(algorithm)
+  {
+  }
+
+  bool operator()()
+  {
+    if (std::this_thread::get_id() == m_thread)
+    {
+      const auto now = std::chrono::steady_clock::now();
+      if (now >= m_next)
+      {
+        m_algorithm->InvokeEvent(vtkCommand::AbortCheckEvent);
+        m_next = now + std::chrono::milliseconds(30);
+      }
+    }
+    return abortRequested(m_algorithm);
+  }
+
+private:
+  vtkAlgorithm* m_algorithm;
+  std::thread::id m_thread = std::this_thread::get_id();
+  std::chrono::steady_clock::time_point m_next{};
+};
+
 /** Progress events at most every half percent or at a new phase, and never falling. */
 inline RunControl makeRunControl(vtkAlgorithm* algorithm)
 {
@@ -33,8 +69,9 @@ inline RunControl makeRunControl(vtkAlgorithm* algorithm)
   };
   // RunControl is copied freely; all copies must share what was reported last.
   const auto shared = std::make_shared<std::decay_t<decltype(report)>>(report);
+  const auto check = std::make_shared<AbortCheck>(algorithm);
   return RunControl([shared](double fraction, const char* phase) { (*shared)(fraction, phase); },
-    [algorithm]() { return abortRequested(algorithm); });
+    [check]() { return (*check)(); });
 }
 }
 

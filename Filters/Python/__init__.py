@@ -1,7 +1,30 @@
-"""Variational anisotropic surface remeshing with VTK.
+"""Anisotropic surface remeshing: new triangles for a surface, adapted to its curvature.
 
-    from anisotropic_remeshing import vtkAnisotropicRemesher
+    import anisotropic_remeshing as ar
+
+    result = ar.remesh("scan.ply", 5000)  # or a vtkPolyData, PyVista mesh, (points, triangles)
+    result.points, result.triangles       # numpy arrays, without copies
+    result.save("mesh.vtp")
+
+Functions: `remesh`, `compare` (how good a mesh is), `voronoi` (cells of given sites), `embed` (the
+space that the remesher measures in). They give back results like `Remeshed`; what is wrong raises,
+what is doubtful is a Python warning, and Ctrl-C stops a run.
+
+The VTK filters underneath are here, too, as `vtkAnisotropicRemesher`, for VTK pipelines.
+
+Messages go to the logger `anisotropic_remeshing`.
 """
+import threading as _threading
+
+# Their classes are arguments or results of the filters.
+import vtkmodules.vtkCommonDataModel  # noqa: F401
+import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+
+from . import _execution
+from ._functions import compare, embed, remesh, voronoi
+from ._messages import RemeshingError, RemeshingStopped, RemeshingWarning
+from ._results import Compared, Diagram, Distance, Embedded, Remeshed
+from ._version import __version__
 from .vtkFiltersAnisotropicRemeshing import (
     vtkAnisotropicRemesher,
     vtkEmbeddedSurfaceAlgorithm,
@@ -12,7 +35,22 @@ from .vtkFiltersAnisotropicRemeshing import (
     vtkWholeSurfaceAlgorithm,
 )
 
+_execution.watch(_threading.main_thread().ident)
+
 __all__ = [
+    "Compared",
+    "Diagram",
+    "Distance",
+    "Embedded",
+    "Remeshed",
+    "RemeshingError",
+    "RemeshingStopped",
+    "RemeshingWarning",
+    "__version__",
+    "compare",
+    "embed",
+    "remesh",
+    "voronoi",
     "vtkAnisotropicRemesher",
     "vtkEmbeddedSurfaceAlgorithm",
     "vtkGaussMapEmbedding",

@@ -89,7 +89,6 @@ void testAbort(vtkAlgorithm* filter, double moment)
     filter->Modified();
     filter->Update();
   }
-  filter->SetAbortExecute(0); // from VTK 9.2 on, the executive leaves that to the caller
   check(aborted, __FILE__, __LINE__, where + ": not reached");
   check(outputsAreEmpty(filter), __FILE__, __LINE__, where + ": the outputs are not empty");
   check(messages.errors().empty(), __FILE__, __LINE__, where + ": an error");
@@ -119,27 +118,59 @@ void testSites(vtkPolyData* input)
       });
     diagram->Modified();
     diagram->Update();
-    diagram->SetAbortExecute(0);
     CHECK(reports >= 3);
     CHECK_EQUAL(outputsAreEmpty(diagram), last == 3);
     CHECK_EQUAL(text == "Sites", last == 3);
   }
 }
 
-/** After an abort, Modified() makes the filter run again. */
+/** After an abort the filter runs again at the next Update(), and only then. */
 void testRunAgain(vtkPolyData* input)
 {
   vtkNew<vtkGaussMapEmbedding> filter;
   filter->SetInputData(input);
+  for (int run = 0; run < 2; ++run)
   {
-    ProgressWatch watch(filter, [&](double) { filter->SetAbortExecute(1); });
+    filter->Modified();
+    {
+      ProgressWatch watch(filter, [&](double) { filter->SetAbortExecute(1); });
+      filter->Update();
+    }
+    CHECK(outputsAreEmpty(filter));
+    CHECK_EQUAL(filter->GetAbortExecute(), 0);
     filter->Update();
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), input->GetNumberOfPoints());
+    int reports = 0;
+    ProgressWatch watch(filter, [&](double) { ++reports; });
+    filter->Update();
+    CHECK_EQUAL(reports, 0);
   }
-  CHECK(outputsAreEmpty(filter));
-  filter->SetAbortExecute(0);
-  filter->Modified();
+}
+
+/** Who observes AbortCheckEvent is asked by the thread that executes, and may stop the run. */
+void testAbortCheck(vtkPolyData* input)
+{
+  vtkNew<vtkAnisotropicRemesher> filter;
+  filter->SetInputData(input);
+  filter->SetNumberOfPoints(2000);
+  filter->SetNumberOfLloydIterations(100000);
+  int checks = 0;
+  const std::thread::id caller = std::this_thread::get_id();
+  vtkNew<vtkCallbackCommand> command;
+  const auto check = [&]()
+  {
+    CHECK(std::this_thread::get_id() == caller);
+    ++checks;
+    filter->SetAbortExecute(checks == 5);
+  };
+  std::function<void()> called = check;
+  command->SetClientData(&called);
+  command->SetCallback([](vtkObject*, unsigned long, void* function, void*)
+    { (*static_cast<std::function<void()>*>(function))(); });
+  filter->AddObserver(vtkCommand::AbortCheckEvent, command);
   filter->Update();
-  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), input->GetNumberOfPoints());
+  CHECK_EQUAL(checks, 5);
+  CHECK(outputsAreEmpty(filter));
 }
 
 /** Seconds from an abort, `delay` seconds after the start, to the end; negative if it came late. */
@@ -157,7 +188,6 @@ double secondsToStop(vtkAlgorithm* filter, double delay)
   filter->Update();
   const Clock::time_point end = Clock::now();
   user.join();
-  filter->SetAbortExecute(0);
   return std::chrono::duration<double>(end - aborted).count();
 }
 
@@ -201,6 +231,7 @@ int TestProgressAbort(int, char*[])
   testProgress(embedding, 3);
   testSites(input);
   testRunAgain(input);
+  testAbortCheck(input);
 
   const std::vector<Content> remeshed = contentsOf(remesher);
   for (const double moment :
