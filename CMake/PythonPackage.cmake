@@ -8,7 +8,7 @@ function (add_python_file file)
   install(FILES "${file}" DESTINATION "${python_package}" COMPONENT python)
 endfunction ()
 
-foreach (name IN ITEMS __init__.py _functions.py _messages.py _pictures.py _progress.py _results.py
+foreach (name IN ITEMS __init__.py _execution.pyi _functions.py _messages.py _pictures.py _progress.py _results.py
     _run.py _surfaces.py py.typed pyvista_accessor.py)
   add_python_file("${PROJECT_SOURCE_DIR}/Filters/Python/${name}")
 endforeach ()
@@ -17,6 +17,18 @@ configure_file(Filters/Python/_version.py.in "${python_generated}/_version.py" @
 add_python_file("${python_generated}/_version.py")
 
 include(CMake/CompilerFlags.cmake)
+
+# What other packages find this one by, as PyVista its accessor; pip writes its own.
+if (NOT SKBUILD)
+  set(python_information "anisotropic_remeshing-${PROJECT_VERSION}.dist-info")
+  foreach (name IN ITEMS METADATA entry_points.txt)
+    configure_file("Filters/Python/${name}.in" "${python_generated}/${name}" @ONLY)
+    configure_file("${python_generated}/${name}"
+      "${CMAKE_BINARY_DIR}/${python_destination}/${python_information}/${name}" COPYONLY)
+    install(FILES "${python_generated}/${name}"
+      DESTINATION "${python_destination}/${python_information}" COMPONENT python)
+  endforeach ()
+endif ()
 
 # What lets signals through while a filter works.
 add_library(AnisotropicRemeshingPythonExecution MODULE Filters/Python/_execution.cxx)

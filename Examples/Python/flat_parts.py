@@ -1,6 +1,6 @@
 """Spends fewer points where a part is flat, by a density array: the bends get those that are saved.
 
-    /usr/bin/python3 flat_parts.py INPUT.vtp OUTPUT.vtp [POINTS [ANISOTROPY [DENSITY]]]
+    /usr/bin/python3 flat_parts.py INPUT OUTPUT [POINTS [ANISOTROPY [DENSITY]]]
 
 DENSITY (0.1) is that of flat places, 1 that of others: points lie there farther apart by its power
 of -1/4. The package is found in a build tree with PYTHONPATH=build/lib/python3/dist-packages.
@@ -8,26 +8,11 @@ of -1/4. The package is found in a build tree with PYTHONPATH=build/lib/python3/
 import sys
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from anisotropic_remeshing import vtkAnisotropicRemesher
+import anisotropic_remeshing as ar
 
 FEATURE_ANGLE = numpy.radians(35.0)  # a sharper edge is a crease: no bend of the faces beside it
 FLAT_RADIUS = 10.0  # of curvature, in diagonals of the bounding box
-
-
-def triangles_of(surface):
-    """(points (n, 3), triangles (m, 3)), with the surface's points."""
-    cut = vtkTriangleFilter()
-    cut.SetInputData(surface)
-    cut.PassVertsOff()
-    cut.PassLinesOff()
-    cut.Update()
-    cells = vtk_to_numpy(cut.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    return vtk_to_numpy(surface.GetPoints().GetData()).astype(float), cells
 
 
 def bends(points, triangles):
@@ -54,47 +39,27 @@ def bends(points, triangles):
     return largest
 
 
-def add_density(surface, flat):
-    """Adds the point array Density: 1 at points of triangles that bend, else `flat`."""
-    points, triangles = triangles_of(surface)
+def density_of(points, triangles, flat):
+    """For each point, 1 if it is of a triangle that bends, else `flat`."""
     diagonal = numpy.linalg.norm(numpy.ptp(points, axis=0))
     density = numpy.full(len(points), flat)
     density[triangles[bends(points, triangles) * diagonal > 1.0 / FLAT_RADIUS]] = 1.0
-    array = numpy_to_vtk(density, deep=True)
-    array.SetName("Density")
-    surface.GetPointData().AddArray(array)
+    return density
 
 
 def main(source, target, points=3000, anisotropy=0.5, flat=0.1):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(source)
-    reader.Update()
-    surface = vtkPolyData()
-    surface.ShallowCopy(reader.GetOutput())
-    if surface.GetNumberOfPolys() == 0:
-        sys.exit(f"flat_parts.py: nothing to remesh in '{source}'")
-    add_density(surface, float(flat))
-
-    remesher = vtkAnisotropicRemesher()
-    remesher.SetInputData(surface)
-    remesher.SetNumberOfPoints(int(points))
-    remesher.SetAnisotropy(float(anisotropy))
-    remesher.SetDensityArray("Density")
-    remesher.Update()
-    facts = remesher.GetOutput().GetFieldData()
-    print(f"{remesher.GetOutput().GetNumberOfPoints()} points, RMS distance "
-          f"{facts.GetArray('RMSDistance').GetValue(0):.4g}, largest "
-          f"{facts.GetArray('MaximumDistance').GetValue(0):.4g}")
-
-    writer = vtkXMLPolyDataWriter()
-    writer.SetInputConnection(remesher.GetOutputPort())
-    writer.SetFileName(target)
-    writer.SetDataModeToBinary()
-    if not writer.Write() or writer.GetErrorCode():
-        sys.exit(f"{target} cannot be written.")
+    surface = ar.compare(source)  # its polygons as triangles
+    result = ar.remesh(source, int(points), anisotropy=float(anisotropy),
+                       density=density_of(surface.points, surface.triangles, float(flat)))
+    print(f"{len(result.points)} points, RMS distance {result.distance.rms:.4g}, "
+          f"largest {result.distance.maximum:.4g}")
+    result.save(target)
 
 
 if __name__ == "__main__":
     if not 3 <= len(sys.argv) <= 6:
         sys.exit(__doc__.split("\n\n")[1].strip())
-    main(*sys.argv[1:])
+    try:
+        main(*sys.argv[1:])
+    except (ValueError, OSError) as error:
+        sys.exit(f"flat_parts.py: {error}")

@@ -20,7 +20,7 @@ import threading as _threading
 import vtkmodules.vtkCommonDataModel  # noqa: F401
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
-from . import _execution
+from . import _execution as _execution
 from ._functions import compare, embed, remesh, voronoi
 from ._messages import RemeshingError, RemeshingStopped, RemeshingWarning
 from ._results import Compared, Diagram, Distance, Embedded, Remeshed

@@ -37,12 +37,16 @@ class Messages:
     def __init__(self, *objects: Any) -> None:
         self.errors: List[str] = []
         self.warnings: List[str] = []
+        self.failed = False  # as executives tell it, without a reason
         self._objects = objects
         self._tags: List[Any] = []
 
     def __enter__(self) -> Messages:
         def note_error(_caller: Any, _event: str, text: str) -> None:
-            self.errors.append(plain_text(text))
+            if "returned failure for request" in text:
+                self.failed = True
+            else:
+                self.errors.append(plain_text(text))
 
         def note_warning(_caller: Any, _event: str, text: str) -> None:
             self.warnings.append(plain_text(text))
@@ -60,8 +64,8 @@ class Messages:
 
     def tell(self) -> None:
         """Raises the first error; else the warnings become Python's, at the caller's line."""
-        if self.errors:
-            error = self.errors[0]
+        if self.errors or self.failed:
+            error = (self.errors or ["The filter failed without a message."])[0]
             raise MemoryError(error) if error.startswith(_NO_MEMORY) else RemeshingError(error)
         for text in self.warnings:
             logger.info("warning: %s", text)

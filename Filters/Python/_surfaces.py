@@ -1,6 +1,8 @@
 """Surfaces in and out: VTK, PyVista, numpy, trimesh, meshio, files."""
 from __future__ import annotations
 
+import contextlib
+import importlib
 import os
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 
@@ -131,7 +133,7 @@ def _rows(faces: Any, name: str) -> Tuple[Any, Any]:
         lists = [numpy.asarray(face, dtype=numpy.int64).ravel() for face in faces]
         sizes = numpy.array([len(face) for face in lists], dtype=numpy.int64)
         corners = numpy.concatenate(lists) if lists else numpy.empty(0, numpy.int64)
-        return numpy.concatenate(([0], numpy.cumsum(sizes))), corners
+        return numpy.append(0, numpy.cumsum(sizes)), corners
     if array.size == 0:
         return numpy.zeros(1, numpy.int64), numpy.empty(0, numpy.int64)
     if array.dtype.kind not in "iu":
@@ -154,7 +156,7 @@ def _counted_rows(array: Any, name: str) -> Tuple[Any, Any]:
         raise ValueError(f"{name}: faces in one row must be counts, each with as many indices.")
     kept = numpy.ones(array.size, dtype=bool)
     kept[starts] = False
-    return numpy.concatenate(([0], numpy.cumsum(array[starts]))), array[kept]
+    return numpy.append(0, numpy.cumsum(array[starts])), array[kept]
 
 
 def take_points(points: Any, name: str) -> Any:
@@ -212,8 +214,6 @@ def _polydata_classes(extension: str) -> Tuple[str, Optional[str], Optional[str]
 
 def _make(path: str, what: int, verb: str) -> Any:
     """A reader (1) or writer (2) for a file."""
-    import importlib
-
     extension = os.path.splitext(path)[1].lower()
     classes = _polydata_classes(extension)
     if classes[what] is None:
@@ -235,27 +235,38 @@ def read(path: Any) -> Any:
     with Messages(reader, reader.GetExecutive()) as messages:
         reader.Update()
     data = reader.GetOutputDataObject(0)
-    if messages.errors:
-        raise RemeshingError(f"'{path}' cannot be read: {messages.errors[0]}")
+    if messages.errors or messages.failed:
+        why = "".join(messages.errors[:1]) or f"it is no {os.path.splitext(path)[1][1:]} file."
+        raise RemeshingError(f"'{path}' cannot be read: {why}")
     if isinstance(data, vtkDataSet) and data.GetNumberOfCells() == 0:
         raise RemeshingError(f"'{path}' holds no surface.")
     return data
 
 
 def write(data: Any, path: Any) -> None:
-    """Writes a mesh to a file of the kind that its name tells; VTP holds all arrays."""
+    """
+    Writes a mesh to a file of the kind that its name tells; VTP holds all arrays. The file is there
+    once it is whole.
+    """
     path = os.fspath(path)
-    writer = _make(path, 2, "written")
-    with open(path, "ab"):  # PermissionError and its like
-        pass
+    draft = f"{path}.{os.getpid()}{os.path.splitext(path)[1].lower()}"
+    writer = _make(draft, 2, "written")
     for option in ("SetDataModeToBinary", "SetFileTypeToBinary"):
         if hasattr(writer, option):
             getattr(writer, option)()
     writer.SetInputDataObject(data)
-    with Messages(writer, writer.GetExecutive()) as messages:
-        done = writer.Write()
-    if not done or messages.errors or writer.GetErrorCode():
-        raise OSError(f"'{path}' cannot be written: {''.join(messages.errors[:1]) or 'disk full?'}")
+    try:
+        with open(draft, "wb"):  # PermissionError and its like, before VTK is asked
+            pass
+        with Messages(writer, writer.GetExecutive()) as messages:
+            done = writer.Write()
+        if not done or messages.errors or writer.GetErrorCode():
+            why = "".join(messages.errors[:1]) or "is the disk full?"
+            raise OSError(f"'{path}' cannot be written: {why}")
+        os.replace(draft, path)
+    finally:
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(draft)
 
 
 # --- Out ------------------------------------------------------------------------------------------
