@@ -1,0 +1,25 @@
+"""Keeps the sharp edges of a part, or rounds them off.
+
+    features.py [--points N] [--picture FILE.png]
+"""
+import anisotropic_remeshing as ar
+import shapes
+
+
+def main(options):
+    surface = shapes.surface(*shapes.gear())
+    kept = ar.remesh(surface, options.points)
+    cut = ar.remesh(surface, options.points, features=False)
+    for name, result in (("kept", kept), ("not kept", cut)):
+        print(f"features {name}: RMS distance {result.distance.rms:.2g}, "
+              f"largest {result.distance.maximum:.2g}")
+    if options.picture:
+        import panels
+        panels.draw(options.picture, [
+            panels.mesh(surface, f"from a CAD program: {surface.GetNumberOfPolys()} triangles"),
+            panels.mesh(kept.mesh, "features kept"),
+            panels.mesh(cut.mesh, "features not kept")], view=(0.5, -1.0, 1.1))
+
+
+if __name__ == "__main__":
+    main(shapes.options(__doc__, 1500))
