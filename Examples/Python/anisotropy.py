@@ -16,7 +16,7 @@ def main(options):
     print("\n".join(captions))
     if options.picture:
         import panels
-        panels.draw(options.picture, [panels.mesh(result.mesh, "anisotropy " + caption)
+        panels.draw(options, [panels.mesh(result.mesh, "anisotropy " + caption)
                                       for result, caption in zip(results, captions)],
                     view=(0.3, -1.0, 1.6))
 

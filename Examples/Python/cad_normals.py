@@ -39,7 +39,7 @@ def main(options):
         import panels
         lit = [shapes.surface(*result.mesh, result.point_data["Normals"])
                for result in (estimated, exact)]
-        panels.draw(options.picture, [
+        panels.draw(options, [
             panels.mesh((points, faces), f"from a CAD program: {len(faces)} triangles"),
             *(panels.smooth(mesh, caption) for mesh, caption in zip(lit, captions))],
             view=(0.6, -1.0, 0.8), size=(420, 320))

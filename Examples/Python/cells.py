@@ -17,7 +17,7 @@ def main(options):
           f"together they have the area {areas.sum():.6g}")
     if options.picture:
         import panels
-        panels.draw(options.picture, [panels.cells(result, "Voronoi cells"),
+        panels.draw(options, [panels.cells(result, "Voronoi cells"),
                                       panels.mesh(result.mesh, "their dual: the mesh")],
                     view=(2.0, -3.0, 3.3), size=(500, 420))
 

@@ -32,7 +32,7 @@ def main(options):
               f"smallest angle {numbers['least_minimum_angle']:.1f} degrees")
     if options.picture:
         import panels
-        panels.draw(options.picture,
+        panels.draw(options,
                     [panels.mesh(mesh, captions[name]) for name, mesh in meshes.items()],
                     view=(2.0, -3.0, 3.3), size=(500, 420))
 

@@ -25,7 +25,7 @@ def main(options):
           "times the area of the smallest")
     if options.picture:
         import panels
-        panels.draw(options.picture, [
+        panels.draw(options, [
             panels.shade((points, triangles), numpy.log(density), "density, 1 to 256"),
             panels.mesh(result.mesh, f"{len(result.points)} points")], view=(1.0, -2.0, 1.6))
 

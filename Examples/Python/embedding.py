@@ -35,7 +35,7 @@ def main(options):
           f"{errors[1]:.3g} on those that follow it")
     if options.picture:
         import panels
-        panels.draw(options.picture, [
+        panels.draw(options, [
             panels.shade((points, triangles), values, "the data"),
             panels.shade(even.mesh, flame(even.points), f"{len(even.points)} even points", True),
             panels.shade(followed.mesh, flame(followed.points),

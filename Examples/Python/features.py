@@ -15,7 +15,7 @@ def main(options):
               f"largest {result.distance.maximum:.2g}")
     if options.picture:
         import panels
-        panels.draw(options.picture, [
+        panels.draw(options, [
             panels.mesh(surface, f"from a CAD program: {surface.GetNumberOfPolys()} triangles"),
             panels.mesh(kept.mesh, "features kept"),
             panels.mesh(cut.mesh, "features not kept")], view=(0.5, -1.0, 1.1))

@@ -154,12 +154,13 @@ def image_of(pixels):
     return image
 
 
-def draw(path, panels, view, up=(0, 0, 1), zoom=1.0, columns=None, size=(400, 370)):
-    """Writes a PNG file of the panels, row by row, all seen from the same place."""
+def draw(options, panels, view, up=(0, 0, 1), zoom=1.0, columns=None, size=(400, 370)):
+    """Writes a PNG file of the panels, row by row; view: from surface to eye, for all or each."""
     columns = columns or len(panels)
+    size = [int(options.scale * pixels) for pixels in size]
     views = view if isinstance(view, list) else [view] * len(panels)
     pictures = [photograph(panel, panel[1], direction, up, zoom, size)
                 for panel, direction in zip(panels, views)]
     rows = [numpy.concatenate(pictures[k:k + columns], axis=1)
             for k in range(0, len(pictures), columns)]
-    write_png(path, numpy.concatenate(rows, axis=0))
+    write_png(options.picture, numpy.concatenate(rows, axis=0))

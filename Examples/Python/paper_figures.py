@@ -38,10 +38,10 @@ def main(options):
     print(f"{len(result.points)} points; on the hill the sides of triangles are "
           f"{sides.mean():.3g} +- {sides.std():.2g} long")
     if options.picture:
-        draw(options.picture, result)
+        draw(options, result)
 
 
-def draw(picture, result):
+def draw(options, result):
     import panels
     from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
@@ -60,7 +60,7 @@ def draw(picture, result):
     fine = shapes.surface(*shapes.sheet(400))
     away = rings(vtk_to_numpy(fine.GetPoints().GetData()), centers)
     disks = numpy.where(away < 0.1, numpy.where(away < 0.025, 1.0, 0.1), 0.5)
-    panels.draw(picture, [
+    panels.draw(options, [
         panels.shade(fine, disks, "equally far from a dot"),
         panels.cells(result, "Voronoi cells"), panels.mesh(result.mesh, "mesh"),
         panels.shade(raise_up(fine), disks, "the same, on the hill"),

@@ -122,6 +122,7 @@ def options(document, points, **others):
     parser = argparse.ArgumentParser(description=document.split("\n\n")[0])
     parser.add_argument("--points", type=int, default=points, help=f"of a mesh, default {points}")
     parser.add_argument("--picture", help="a PNG file to draw (needs a display)")
+    parser.add_argument("--scale", type=float, default=1.0, help="of the picture, default 1")
     for name, value in others.items():
         parser.add_argument(f"--{name}", default=value)
     return parser.parse_args()

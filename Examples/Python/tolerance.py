@@ -18,7 +18,7 @@ def main(options):
               f"diagonal {surface.GetLength():.3g}")
     if options.picture:
         import panels
-        panels.draw(options.picture, [panels.mesh(result.mesh, "tolerance " + caption)
+        panels.draw(options, [panels.mesh(result.mesh, "tolerance " + caption)
                                       for result, caption in zip(results, captions)],
                     view=(0.5, -1.0, 1.1))
 

@@ -1,11 +1,11 @@
 """Runs the code of README and guide, and looks whether the guide names all that the code has.
 
-    TestSnippets.py --source FOLDER --programs build/bin [--prefix FOLDER] [--cmake FILE]
-                    --work FOLDER [unittest options]
+    TestSnippets.py --source FOLDER --build FOLDER --work FOLDER [--no-cxx] [--cmake FILE]
+                    [unittest options]
 
 1. Fenced blocks of python, sh, console, cpp and cmake are run, those under one heading together and
    in order, in a folder of their own with small input files (see make_inputs). Blocks of C++ are
-   built with the block of CMake under the same heading, against the installed library (--prefix).
+   built with the block of CMake under the same heading, against an installation of the build.
 2. A block that a test cannot run has a line `<!-- not run: REASON -->` above it; such blocks are
    listed. Blocks of text, json and the like are no code. A block without a language is a mistake.
 3. Every message of the filters is in Documentation/Messages.md; every array of their outputs is in
@@ -123,9 +123,9 @@ class TestSnippets(unittest.TestCase):
         os.makedirs(cls.folder / "bin")
         os.symlink(sys.executable, cls.folder / "bin" / "python3")
         cls.environment = dict(
-            os.environ, PATH=os.pathsep.join([str(cls.folder / "bin"), str(OPTIONS.programs),
+            os.environ, PATH=os.pathsep.join([str(cls.folder / "bin"), str(OPTIONS.build / "bin"),
                                               os.environ["PATH"]]),
-            CMAKE_PREFIX_PATH=str(OPTIONS.prefix or ""))
+            CMAKE_PREFIX_PATH=str(cls.folder / "prefix"))
         cls.sources = [OPTIONS.source / "README.md",
                        *sorted((OPTIONS.source / "Documentation").glob("*.md"))]
 
@@ -136,8 +136,8 @@ class TestSnippets(unittest.TestCase):
         for name in ("Examples", "CMake", "Testing"):
             os.symlink(OPTIONS.source / name, folder / name)
         os.makedirs(folder / "build")
-        os.symlink(OPTIONS.programs, folder / "build" / "bin")
-        os.symlink(OPTIONS.programs.parent / "lib", folder / "build" / "lib")
+        for name in ("bin", "lib"):
+            os.symlink(OPTIONS.build / name, folder / "build" / name)
         return folder
 
     def run_in(self, folder, command, what):
@@ -159,6 +159,9 @@ class TestSnippets(unittest.TestCase):
         names = re.search(r"add_executable\((\w+)\s+([\w.]+)", build.text)
         (folder / names.group(2)).write_text(program.text, encoding="utf-8")
         (folder / "CMakeLists.txt").write_text(build.text, encoding="utf-8")
+        if not (self.folder / "prefix").exists():
+            self.run_in(folder, [OPTIONS.cmake, "--install", str(OPTIONS.build), "--prefix",
+                                 str(self.folder / "prefix")], "the installation")
         configure = [OPTIONS.cmake, "-S", ".", "-B", "cxx", "-DCMAKE_BUILD_TYPE=Release"]
         self.run_in(folder, configure, build.place)
         self.run_in(folder, [OPTIONS.cmake, "--build", "cxx"], program.place)
@@ -171,8 +174,8 @@ class TestSnippets(unittest.TestCase):
         if script:
             (folder / "snippet.py").write_text("".join(b.text for b in script), encoding="utf-8")
             self.run_in(folder, [sys.executable, "snippet.py"], script[0].place)
-        if project and OPTIONS.prefix is None:
-            print(f"not run: {project[0].place} (cpp): the library is not installed in this build")
+        if project and OPTIONS.no_cxx:
+            print(f"not run: {project[0].place} (cpp): programs of this build need its sanitizers")
         elif project:
             self.assertEqual({b.language for b in project}, {"cpp", "cmake"}, project[0].place)
             self.run_cxx(folder, project)
@@ -259,11 +262,11 @@ class TestGuide(unittest.TestCase):
         self.assertGreater(found, 60)
 
     @staticmethod
-    def names_of(data):
+    def names_of(data, field=True):
         """Names of all arrays of an output, of its points, cells, rows and field data."""
         kinds = ["GetRowData"] if hasattr(data, "GetRowData") else ["GetPointData", "GetCellData"]
         names = set()
-        for kind in kinds + ["GetFieldData"]:
+        for kind in kinds + ["GetFieldData"] * field:
             attributes = getattr(data, kind)()
             names |= {attributes.GetAbstractArray(k).GetName()
                       for k in range(attributes.GetNumberOfArrays())}
@@ -288,13 +291,14 @@ class TestGuide(unittest.TestCase):
         own = {f"Port {port}": [run._outputs[port] for run in runs] for port in range(5)}
         own["The comparison"] = compared._outputs
         carried = dict.fromkeys(own, self.names_of(surface))
-        carried["The comparison"] = self.names_of(plain_run.mesh)
+        carried["The comparison"] = self.names_of(plain_run.mesh, field=False)
         for title, outputs in own.items():
             body = next(parts[name] for name in parts if name.startswith(title))
             rows = re.findall(r"^\| (`.*?) \|", body, re.MULTILINE)
             described = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
             described |= set(re.findall(r"^Points have `(\w+)`", body, re.MULTILINE))
-            names = set().union(*map(self.names_of, outputs))
+            ours = title != "The comparison"  # whose field data is that of its inputs
+            names = set().union(*(self.names_of(output, ours) for output in outputs))
             names -= carried[title]
             self.assertEqual(sorted(names - described), [], f"{title}: arrays lack in Outputs.md")
             self.assertEqual(sorted(described - names), [], f"{title}: there are no such arrays")
@@ -302,12 +306,9 @@ class TestGuide(unittest.TestCase):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
-    for option in ("--source", "--programs", "--prefix", "--work"):
-        parser.add_argument(option, type=Path, required=option != "--prefix")
+    for option in ("--source", "--build", "--work"):
+        parser.add_argument(option, type=lambda name: Path(name).resolve(), required=True)
+    parser.add_argument("--no-cxx", action="store_true")
     parser.add_argument("--cmake", default="cmake")
     OPTIONS, rest = parser.parse_known_args()
-    for option in ("source", "programs", "prefix", "work"):
-        value = getattr(OPTIONS, option)
-        setattr(OPTIONS, option, value and value.resolve())
-    TestSnippets.folder = OPTIONS.work / "Snippets"
     unittest.main(argv=sys.argv[:1] + rest, verbosity=2)
