@@ -4,8 +4,8 @@
 # missing. python3-paraview is not among them: see paraview-prefix.sh.
 # Knows Debian 12 (bookworm), 13 (trixie) and sid, and what Ubuntu made of them.
 set -e
-common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev python3 python3-numpy
-  xvfb xauth"
+common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev libcli11-dev
+  nlohmann-json3-dev python3 python3-numpy xvfb xauth"
 vtk="libvtk9-dev python3-vtk9"
 paraview="paraview paraview-dev dpkg-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
   libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev openbox"

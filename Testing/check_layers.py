@@ -94,7 +94,9 @@ def check_seams():
 
 
 def check_lists():
-    for folder, pattern in ((FILTERS, "**/*.cxx"), (ROOT / "Testing/Core", "*.cxx"),
+    for folder, pattern in ((FILTERS, "*.cxx"), (FILTERS, "Adaptors/*.cxx"),
+                            (FILTERS, "Core/**/*.cxx"), (FILTERS / "Python", "*.cxx"),
+                            (FILTERS / "Python", "*.py"), (ROOT / "Testing/Core", "*.cxx"),
                             (ROOT / "Testing/Cxx", "*.cxx"),
                             (ROOT / "Testing/Benchmarks", "*.cxx"),
                             (ROOT / "Testing/Benchmarks", "Test*.py"),

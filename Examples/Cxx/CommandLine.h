@@ -1,5 +1,6 @@
 /**
- * The options of remesh_surface: one table that parsing and --help share.
+ * The options of remesh_surface: one table, read by CLI11, that parsing, --help and the shells'
+ * completion share.
  *
  * Every option can be written `--name value` or `--name=value`. Of an option given twice the last
  * one counts, except for --coordinates, which adds up. `--` ends the options.
@@ -18,8 +19,11 @@ struct CoordinateArray
 
 struct Options
 {
+  std::vector<std::string> Files; // as given: inputs and output
+  std::string OutputPattern;
+  std::string Format; // of standard output and in folders; "": that of the input
   std::string Input;
-  std::string Output;
+  std::string Output; // "": compare only
 
   long long NumberOfPoints = 10000;
   double Tolerance = 0.0; // fraction of the bounding-box diagonal; 0: none
@@ -55,18 +59,24 @@ struct Options
   std::string Convergence;
   std::string Report;
 
+  std::string Compare; // a surface; "": no comparison
+  bool Json = false;
+  bool IsOneOfMany = false; // one of several inputs
   bool Quiet = false;
   bool Version = false;
   bool Help = false;
+  std::string Completion; // a shell; "": none
 };
 
 /**
- * Reads the arguments, the program's name not among them. With --help or --version the rest is
- * not checked. Throws Failure with EXIT_USAGE.
+ * Reads the arguments, the program's name not among them. With --help, --version or --completion
+ * the rest is not checked. Throws Failure with EXIT_USAGE.
  */
 Options ParseCommandLine(const std::vector<std::string>& arguments);
 
 /** What --help prints. */
 std::string HelpText();
+
+[[noreturn]] void UsageError(const std::string& sentence);
 
 #endif

@@ -8,9 +8,9 @@ namespace
 {
 volatile std::sig_atomic_t interrupted = 0;
 
-void HandleSignal(int)
+void HandleSignal(int number)
 {
-  interrupted = 1;
+  interrupted = number;
 }
 } // namespace
 
@@ -24,6 +24,7 @@ void CatchInterruptions()
     }
   }
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool Interrupted()
@@ -36,5 +37,14 @@ void StopIfInterrupted()
   if (Interrupted())
   {
     throw Failure("interrupted");
+  }
+}
+
+void DieIfInterrupted()
+{
+  if (Interrupted())
+  {
+    std::signal(interrupted, SIG_DFL);
+    std::raise(interrupted);
   }
 }

@@ -6,8 +6,8 @@
 #define Interruption_h
 
 /**
- * From now on SIGINT, SIGTERM and SIGHUP only set the flag (unless they were ignored), and too
- * large a file is a failed write instead of the end of the program.
+ * From now on SIGINT, SIGTERM and SIGHUP only set the flag (unless they were ignored); too large a
+ * file and a closed pipe are failed writes instead of the end of the program.
  */
 void CatchInterruptions();
 
@@ -15,5 +15,11 @@ bool Interrupted();
 
 /** Throws Failure if Interrupted(). */
 void StopIfInterrupted();
+
+/**
+ * Ends the program by the signal that interrupted it, if one has: from an exit status alone a shell
+ * would not know that its loop is to end, too. For the end of main(), when all is cleaned up.
+ */
+void DieIfInterrupted();
 
 #endif

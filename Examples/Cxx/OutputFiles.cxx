@@ -1,9 +1,9 @@
 #include "OutputFiles.h"
 
 #include "Failure.h"
+#include "InputBytes.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -15,11 +15,24 @@ namespace fs = std::filesystem;
 
 namespace
 {
+/** The name at the end of a chain of links, whether there is a file or not. */
+fs::path FollowLinks(fs::path path)
+{
+  constexpr int maximumLinks = 40; // as Linux
+  std::error_code error;
+  for (int i = 0; i < maximumLinks && fs::is_symlink(path, error); ++i)
+  {
+    const fs::path next = fs::read_symlink(path, error);
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
 /** Where `path` leads, and whether something that is not an ordinary file is in its way. */
 fs::path ResolveTarget(const std::string& path)
 {
   std::error_code error;
-  fs::path target(path);
+  fs::path target = FollowLinks(path);
   const fs::file_status status = fs::status(target, error);
   if (fs::is_directory(status))
   {
@@ -52,6 +65,19 @@ fs::path ResolveTarget(const std::string& path)
   }
   return target;
 }
+void CopyToStandardOutput(const std::string& path)
+{
+  const std::string bytes = ReadBytes(path);
+  std::remove(path.c_str());
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() ||
+    std::fflush(stdout) != 0)
+  {
+    throw Failure(std::string("cannot write to standard output: ") + std::strerror(errno));
+  }
+}
+
+/** What its Final is. */
+constexpr const char* standardOutput = "-";
 } // namespace
 
 OutputFiles::~OutputFiles()
@@ -75,6 +101,16 @@ void OutputFiles::Protect(const std::string& path)
   }
 }
 
+std::size_t OutputFiles::AddStandardOutput()
+{
+  File file;
+  file.Name = file.Final = standardOutput;
+  file.Temporary =
+    fs::temp_directory_path() / ("remesh_surface-" + std::to_string(getpid()) + ".partial");
+  this->Announce(file);
+  return this->Files.size() - 1;
+}
+
 std::size_t OutputFiles::Add(const std::string& path)
 {
   File file;
@@ -89,27 +125,32 @@ std::size_t OutputFiles::Add(const std::string& path)
   const std::string end = std::to_string(getpid()) + LowerCaseExtension(file.Final);
   file.Temporary = file.Final + ".partial-" + end;
   file.Aside = file.Final + ".earlier-" + end;
-  for (const File& other : this->Files)
-  {
-    if (other.Final == file.Final)
-    {
-      throw Failure("'" + path + "' is named for two outputs", EXIT_USAGE);
-    }
-  }
   std::error_code error;
   if (fs::exists(fs::symlink_status(file.Aside, error)))
   {
     throw Failure("cannot write '" + path + "': '" + file.Aside + "' is in the way");
   }
+  this->Announce(file);
+  return this->Files.size() - 1;
+}
+
+void OutputFiles::Announce(const File& file)
+{
+  for (const File& other : this->Files)
+  {
+    if (other.Final == file.Final)
+    {
+      throw Failure("'" + file.Name + "' is named for two outputs", EXIT_USAGE);
+    }
+  }
   const int descriptor = open(file.Temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
   if (descriptor < 0)
   {
-    throw Failure("cannot write '" + path + "': " + std::strerror(errno));
+    throw Failure("cannot write '" + file.Name + "': " + std::strerror(errno));
   }
   close(descriptor);
   std::remove(file.Temporary.c_str());
   this->Files.push_back(file);
-  return this->Files.size() - 1;
 }
 
 const std::string& OutputFiles::GetTemporaryName(std::size_t number) const
@@ -120,6 +161,10 @@ const std::string& OutputFiles::GetTemporaryName(std::size_t number) const
 /** Puts an older file aside, and the new one in its place. Throws Failure. */
 void OutputFiles::Replace(File& file)
 {
+  if (file.Final == standardOutput)
+  {
+    return;
+  }
   std::error_code error;
   const fs::file_status status = fs::symlink_status(file.Final, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) // it has come there during the run
@@ -163,6 +208,13 @@ void OutputFiles::Commit()
     {
       Replace(file);
     }
+    for (const File& file : this->Files)
+    {
+      if (file.Final == standardOutput)
+      {
+        CopyToStandardOutput(file.Temporary);
+      }
+    }
   }
   catch (...)
   {
@@ -177,14 +229,6 @@ void OutputFiles::Commit()
       std::remove(file.Aside.c_str());
     }
   }
-}
-
-std::string LowerCaseExtension(const std::string& path)
-{
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
 }
 
 void WriteBytes(const std::string& path, const std::string& bytes)

@@ -28,6 +28,9 @@ public:
    */
   std::size_t Add(const std::string& path);
 
+  /** The same for standard output, which gets its bytes when all files are complete. */
+  std::size_t AddStandardOutput();
+
   /** The name to write file `number` under. */
   const std::string& GetTemporaryName(std::size_t number) const;
 
@@ -47,15 +50,13 @@ private:
     bool Waits = false;  // whether there is one
     bool Stands = false; // whether the new file has its name
   };
+  void Announce(const File& file);
   static void Replace(File& file);
   void TakeBack();
   std::vector<File> Files;
   std::vector<std::string> Protected;
   bool Committed = false;
 };
-
-/** The extension with its dot, ".ply" for "Part.PLY". */
-std::string LowerCaseExtension(const std::string& path);
 
 /** Writes the bytes and makes sure that they fit. Throws Failure. */
 void WriteBytes(const std::string& path, const std::string& bytes);

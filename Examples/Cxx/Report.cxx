@@ -1,66 +1,50 @@
 #include "Report.h"
 
 #include "CommandLine.h"
-#include "JsonWriter.h"
 
 #include <vtkAnisotropicRemesher.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+
+#include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
 
+using Json = nlohmann::ordered_json;
+
 namespace
 {
-void AddInput(
-  JsonWriter& json, const Options& options, vtkPolyData* input, vtkAnisotropicRemesher* remesher)
+Json InputOf(const Options& options, vtkPolyData* input, vtkAnisotropicRemesher* remesher)
 {
-  json.BeginObject("input");
-  json.Add("file", options.Input);
-  json.Add("points", static_cast<long long>(input->GetNumberOfPoints()));
-  json.Add("cells", static_cast<long long>(input->GetNumberOfCells()));
-  json.Add("components", static_cast<long long>(remesher->GetNumberOfInputComponents()));
-  json.Add("dropped", static_cast<long long>(remesher->GetNumberOfDroppedTriangles()));
-  json.EndObject();
+  return { { "file", options.Input }, { "points", input->GetNumberOfPoints() },
+    { "cells", input->GetNumberOfCells() },
+    { "components", remesher->GetNumberOfInputComponents() },
+    { "dropped", remesher->GetNumberOfDroppedTriangles() } };
 }
 
-void AddParameters(JsonWriter& json, const Options& options)
+Json ParametersOf(const Options& options)
 {
-  json.BeginObject("parameters");
-  json.Add("points", options.NumberOfPoints);
-  json.Add("tolerance", options.Tolerance);
-  json.Add("max_points", options.MaximumPoints);
-  json.Add("anisotropy", options.Anisotropy);
-  json.Add("features", options.PreserveFeatures);
-  json.Add("feature_angle", options.FeatureAngle);
-  json.Add("labels", options.Labels);
-  json.Add("density", options.Density);
-  json.Add("max_extra_points", options.MaximumExtraPoints);
-  json.Add("lloyd", options.LloydIterations);
-  json.Add("newton", options.NewtonIterations);
-  json.Add("seed", options.Seed);
-  json.Add("sampling", options.Sampling);
-  json.Add("placement", options.Placement);
-  json.Add("coarse_start", options.CoarseStart);
-  json.Add("measure_distance", options.MeasureDistance);
-  json.Add("threads", options.Threads);
-  json.Add("backend", options.Backend);
-  json.Add("dimension", options.Dimension);
-  json.Add("normals", options.Normals);
-  json.Add("normal_smoothing", options.NormalSmoothingPasses);
-  json.Add("embedding_array", options.EmbeddingArray);
-  json.BeginArray("coordinates");
+  Json coordinates = Json::array();
   for (const CoordinateArray& array : options.Coordinates)
   {
-    json.BeginObject();
-    json.Add("name", array.Name);
-    json.Add("scale", array.Scale);
-    json.EndObject();
+    coordinates.push_back({ { "name", array.Name }, { "scale", array.Scale } });
   }
-  json.EndArray();
-  json.Add("initial_sites", options.InitialSites);
-  json.Add("merge_tolerance", options.MergeTolerance);
-  json.EndObject();
+  return { { "points", options.NumberOfPoints }, { "tolerance", options.Tolerance },
+    { "max_points", options.MaximumPoints }, { "anisotropy", options.Anisotropy },
+    { "features", options.PreserveFeatures }, { "feature_angle", options.FeatureAngle },
+    { "labels", options.Labels }, { "density", options.Density },
+    { "max_extra_points", options.MaximumExtraPoints }, { "lloyd", options.LloydIterations },
+    { "newton", options.NewtonIterations }, { "seed", options.Seed },
+    { "sampling", options.Sampling }, { "placement", options.Placement },
+    { "coarse_start", options.CoarseStart }, { "measure_distance", options.MeasureDistance },
+    { "threads", options.Threads }, { "backend", options.Backend },
+    { "dimension", options.Dimension }, { "normals", options.Normals },
+    { "normal_smoothing", options.NormalSmoothingPasses },
+    { "embedding_array", options.EmbeddingArray }, { "coordinates", coordinates },
+    { "initial_sites", options.InitialSites }, { "merge_tolerance", options.MergeTolerance } };
 }
 
 /** A number of the surface's field data, 0 if it is not there. */
@@ -72,81 +56,85 @@ long long FactOf(vtkPolyData* surface, const char* name)
     : 0;
 }
 
-void AddOutput(JsonWriter& json, vtkPolyData* surface)
+Json OutputOf(vtkPolyData* surface)
 {
-  json.BeginObject("output");
-  json.Add("points", static_cast<long long>(surface->GetNumberOfPoints()));
-  json.Add("triangles", static_cast<long long>(surface->GetNumberOfPolys()));
-  json.Add("extra_points", FactOf(surface, "NumberOfExtraPoints"));
-  json.Add("flipped_triangles", FactOf(surface, "NumberOfFlippedTriangles"));
-  json.Add("stray_triangles", FactOf(surface, "NumberOfStrayTriangles"));
+  Json json = { { "points", surface->GetNumberOfPoints() },
+    { "triangles", surface->GetNumberOfPolys() },
+    { "extra_points", FactOf(surface, "NumberOfExtraPoints") },
+    { "flipped_triangles", FactOf(surface, "NumberOfFlippedTriangles") },
+    { "stray_triangles", FactOf(surface, "NumberOfStrayTriangles") } };
   for (const auto& [name, array] :
     { std::pair<const char*, const char*>{ "normal_smoothing_radius", "NormalSmoothingRadius" },
       { "maximum_distance", "MaximumDistance" }, { "rms_distance", "RMSDistance" } })
   {
     if (vtkDataArray* length = surface->GetFieldData()->GetArray(array))
     {
-      json.Add(name, length->GetComponent(0, 0));
+      json[name] = length->GetComponent(0, 0);
     }
   }
-  json.EndObject();
+  return json;
 }
 
-void AddTopology(JsonWriter& json, vtkAnisotropicRemesher* remesher)
+Json SecondsOf(vtkAnisotropicRemesher* remesher, const Seconds& seconds)
 {
-  json.BeginObject("topology");
-  json.Add("preserved", FactOf(remesher->GetOutput(), "TopologyPreserved"));
-  json.Add("report", remesher->GetTopologyReport());
-  json.EndObject();
-}
-
-void AddSeconds(JsonWriter& json, vtkAnisotropicRemesher* remesher, const Seconds& seconds)
-{
-  json.BeginObject("seconds");
-  json.Add("read", seconds.Read);
+  Json json = { { "read", seconds.Read } };
   for (const char* phase :
     { "intake", "sampling", "lloyd", "newton", "diagram", "repair", "placement", "distance" })
   {
-    json.Add(phase, remesher->GetPhaseSeconds(phase));
+    json[phase] = remesher->GetPhaseSeconds(phase);
   }
-  json.Add("write", seconds.Write);
-  json.Add("total", seconds.Total);
-  json.EndObject();
+  json["write"] = seconds.Write;
+  json["total"] = seconds.Total;
+  return json;
 }
 
-void AddResources(JsonWriter& json)
+/** All columns of the comparison's summary, as numbers. */
+Json ComparisonOf(vtkTable* summary)
 {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& time)
-  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-  json.Add("processor_seconds", seconds(usage.ru_utime) + seconds(usage.ru_stime));
-  json.Add("peak_megabytes", static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6);
+  Json json = Json::object();
+  for (vtkIdType column = 0; column < summary->GetNumberOfColumns(); ++column)
+  {
+    json[summary->GetColumnName(column)] = summary->GetValue(0, column).ToDouble();
+  }
+  return json;
+}
+
+/** On one line if it is one of many. File names may hold what is no text. */
+std::string TextOf(const Json& json, bool oneLine)
+{
+  return json.dump(oneLine ? -1 : 2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 } // namespace
 
 std::string ReportText(const Options& options, vtkPolyData* input, vtkAnisotropicRemesher* remesher,
-  const Seconds& seconds, const std::vector<std::string>& warnings)
+  vtkTable* comparison, const Seconds& seconds, const std::vector<std::string>& warnings)
 {
-  JsonWriter json;
-  json.BeginObject();
-  AddInput(json, options, input, remesher);
-  AddParameters(json, options);
-  AddOutput(json, remesher->GetOutput());
-  AddTopology(json, remesher);
-  json.Add("iterations", remesher->GetNumberOfIterations());
-  json.Add("evaluations", remesher->GetNumberOfEvaluations());
-  json.Add("energy", remesher->GetEnergy());
-  AddSeconds(json, remesher, seconds);
-  AddResources(json);
-  json.Add("threads", remesher->GetNumberOfUsedThreads());
-  json.Add("backend", remesher->GetUsedBackend());
-  json.BeginArray("warnings");
-  for (const std::string& warning : warnings)
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto inSeconds = [](const timeval& time)
+  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+  Json json = { { "input", InputOf(options, input, remesher) },
+    { "parameters", ParametersOf(options) }, { "output", OutputOf(remesher->GetOutput()) },
+    { "topology",
+      { { "preserved", FactOf(remesher->GetOutput(), "TopologyPreserved") },
+        { "report", remesher->GetTopologyReport() } } },
+    { "iterations", remesher->GetNumberOfIterations() },
+    { "evaluations", remesher->GetNumberOfEvaluations() }, { "energy", remesher->GetEnergy() },
+    { "seconds", SecondsOf(remesher, seconds) },
+    { "processor_seconds", inSeconds(usage.ru_utime) + inSeconds(usage.ru_stime) },
+    { "peak_megabytes", static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6 },
+    { "threads", remesher->GetNumberOfUsedThreads() }, { "backend", remesher->GetUsedBackend() },
+    { "warnings", warnings } };
+  if (comparison != nullptr)
   {
-    json.Add("", warning);
+    json["comparison"] = ComparisonOf(comparison);
   }
-  json.EndArray();
-  json.EndObject();
-  return json.GetText();
+  return TextOf(json, options.IsOneOfMany);
+}
+
+std::string ComparisonReportText(const Options& options, vtkTable* comparison)
+{
+  return TextOf({ { "mesh", options.Input }, { "reference", options.Compare },
+                  { "comparison", ComparisonOf(comparison) } },
+    options.IsOneOfMany);
 }

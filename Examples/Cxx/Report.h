@@ -10,6 +10,7 @@
 
 class vtkAnisotropicRemesher;
 class vtkPolyData;
+class vtkTable;
 struct Options;
 
 /** Wall time in seconds, measured outside the filter. */
@@ -22,9 +23,13 @@ struct Seconds
 
 /**
  * `remesher` has run on `input`. Processor time (user and system, all threads) and peak memory
- * (megabytes of 10^6 bytes) are those of the process so far.
+ * (megabytes of 10^6 bytes) are those of the process so far. `comparison`: the summary of a
+ * comparison, or null.
  */
 std::string ReportText(const Options& options, vtkPolyData* input, vtkAnisotropicRemesher* remesher,
-  const Seconds& seconds, const std::vector<std::string>& warnings);
+  vtkTable* comparison, const Seconds& seconds, const std::vector<std::string>& warnings);
+
+/** The report where nothing was remeshed. */
+std::string ComparisonReportText(const Options& options, vtkTable* comparison);
 
 #endif

@@ -2,194 +2,207 @@
 
 #include "CrashGuard.h"
 #include "Failure.h"
+#include "InputBytes.h"
 #include "Messages.h"
-#include "OutputFiles.h"
-#include "PlyCheck.h"
-#include "PlyCoordinates.h"
+#include "ObjReader.h"
+#include "OffReader.h"
+#include "PlyReader.h"
 #include "ProgressBar.h"
-#include "VtpWriter.h"
+#include "StlReader.h"
+#include "TextLines.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
+#include <vtkCompositeDataIterator.h>
 #include <vtkDataArray.h>
-#include <vtkErrorCode.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkGLTFReader.h>
+#include <vtkGenericCell.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
-#include <vtkPLYWriter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
-#include <vtkPolyDataWriter.h>
-#include <vtkSTLReader.h>
-#include <vtkSTLWriter.h>
-#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <limits>
 #include <set>
-
-namespace fs = std::filesystem;
 
 namespace
 {
-void CheckExtension(const std::string& path, const std::vector<std::string>& known)
+/** What standard input holds. */
+std::string ExtensionOf(const std::string& bytes)
 {
-  if (std::find(known.begin(), known.end(), LowerCaseExtension(path)) == known.end())
+  const std::string start = bytes.substr(0, 1000);
+  const std::string word = LowerCase(start.substr(0, start.find_first_of(" \t\r\n")));
+  const auto has = [&start](const char* text) { return start.find(text) != std::string::npos; };
+  return word == "ply"                                              ? ".ply"
+    : has("<VTKFile") && has("\"PolyData\"")                        ? ".vtp"
+    : has("<VTKFile") && has("\"UnstructuredGrid\"")                ? ".vtu"
+    : start.rfind("# vtk DataFile", 0) == 0                         ? ".vtk"
+    : word.size() <= 6 && !word.empty() && has("OFF")               ? ".off"
+    : word == "solid"                                               ? ".stl"
+    : word == "v" || word == "#" || word == "o" || word == "mtllib" ? ".obj"
+                                                                    : "";
+}
+
+class Source
+{
+public:
+  Source(const std::string& path, Messages* messages, ProgressBar* progress)
+    : Path(path)
+    , Log(messages)
+    , Progress(progress)
   {
-    std::string sentence = "the name '" + path + "' must end in";
-    for (const std::string& extension : known)
+  }
+
+  vtkSmartPointer<vtkPolyData> Read();
+
+  /** Of the format that was read. */
+  const std::string& GetExtension() const { return this->Extension; }
+
+private:
+  vtkSmartPointer<vtkPolyData> ReadVtp();
+  vtkSmartPointer<vtkPolyData> ReadVtk();
+  vtkSmartPointer<vtkPolyData> ReadVtu();
+  vtkSmartPointer<vtkPolyData> ReadGltf();
+  void Update(vtkAlgorithm* reader);
+
+  std::string Path;
+  std::string Extension;
+  std::string Bytes;
+  Messages* Log;
+  ProgressBar* Progress;
+};
+
+void Source::Update(vtkAlgorithm* reader)
+{
+  this->Progress->SetPhase("Reading");
+  reader->AddObserver(vtkCommand::ProgressEvent, this->Progress);
+  {
+    const CrashGuard guard(this->Path);
+    reader->Update();
+  }
+  this->Log->ThrowIfError("VTK says");
+  this->Log->ThrowIfWarning("Error reading", "VTK says");
+}
+
+vtkSmartPointer<vtkPolyData> Source::ReadVtp()
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(this->Bytes);
+  this->Update(reader);
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Source::ReadVtk()
+{
+  if (this->Bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+  {
+    throw Failure("it has more than 2 GB: .vtp can be larger");
+  }
+  vtkNew<vtkPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetBinaryInputString(this->Bytes.data(), static_cast<int>(this->Bytes.size()));
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  this->Update(reader);
+  return reader->GetOutput();
+}
+
+/** The surface cells of an unstructured grid, which may have no others but lines and points. */
+vtkSmartPointer<vtkPolyData> Source::ReadVtu()
+{
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(this->Bytes);
+  this->Update(reader);
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  std::set<int> types;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    types.insert(grid->GetCellType(i));
+  }
+  vtkNew<vtkGenericCell> cell;
+  for (const int type : types)
+  {
+    cell->SetCellType(type);
+    if (cell->GetCellDimension() == 3)
     {
-      const bool first = &extension == &known.front();
-      const bool last = &extension == &known.back();
-      sentence += (first ? " " : last ? " or " : ", ") + extension;
+      throw Failure("it has volume cells: extract their surface first (ParaView: Extract Surface)");
     }
-    throw Failure(sentence);
   }
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  this->Update(surface);
+  return surface->GetOutput();
 }
 
-/** A missing, unreadable or empty file, or a directory, has its own sentence. */
-void CheckReadable(const std::string& path)
+/** The meshes of all nodes, each at its place. */
+vtkSmartPointer<vtkPolyData> Source::ReadGltf()
 {
-  std::error_code error;
-  if (fs::is_directory(path, error))
+  vtkNew<vtkGLTFReader> reader;
+  reader->SetFileName(this->Path.c_str());
+  this->Update(reader);
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  vtkNew<vtkAppendPolyData> append;
+  vtkSmartPointer<vtkCompositeDataIterator> iterator;
+  iterator.TakeReference(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    throw Failure("it is a directory");
+    append->AddInputData(vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()));
   }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
+  if (append->GetNumberOfInputConnections(0) == 0)
   {
-    throw Failure(errno != 0 ? std::strerror(errno) : "it cannot be opened");
+    throw Failure("it has no polygons");
   }
-  if (file.peek() == std::ifstream::traits_type::eof())
-  {
-    throw Failure("it is empty");
-  }
+  append->Update();
+  return append->GetOutput();
 }
 
-/** Whether the text starts with "solid" in any case, perhaps after white space. */
-bool StartsWithSolid(const std::string& text)
+vtkSmartPointer<vtkPolyData> Source::Read()
 {
-  const std::size_t start = text.find_first_not_of(" \t\r\n");
-  std::string word = start == std::string::npos ? "" : text.substr(start, 5);
-  std::transform(word.begin(), word.end(), word.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word == "solid" && text.find('\0') == std::string::npos;
-}
-
-/**
- * vtkSTLReader takes whatever is there as triangles. A binary file has the size that its number of
- * triangles asks for, whatever its header says; another is text, of which VTK finds the errors.
- */
-void CheckStl(const std::string& path)
-{
-  constexpr std::uint64_t headerSize = 84;
-  constexpr std::uint64_t triangleSize = 50;
-  std::ifstream file(path, std::ios::binary);
-  std::string start(headerSize, '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(file.gcount()));
-  std::uint64_t announced = 0;
-  for (int i = 0; i < 4 && start.size() == headerSize; ++i)
+  this->Bytes = ReadBytes(this->Path);
+  this->Extension = this->Path == "-" ? ExtensionOf(this->Bytes) : LowerCaseExtension(this->Path);
+  const std::string& extension = this->Extension;
+  if (extension == ".glb" || extension == ".gltf")
   {
-    announced |= static_cast<std::uint64_t>(static_cast<unsigned char>(start[80 + i])) << (8 * i);
+    return this->ReadGltf();
   }
-  if (start.size() == headerSize && fs::file_size(path) == headerSize + triangleSize * announced)
+  if (extension == ".vtp" || extension == ".vtk" || extension == ".vtu")
   {
-    if (announced == 0)
+    return extension == ".vtp" ? this->ReadVtp()
+      : extension == ".vtk"    ? this->ReadVtk()
+                               : this->ReadVtu();
+  }
+  if (extension == ".obj")
+  {
+    std::vector<std::string> warnings;
+    auto surface = ReadObj(this->Bytes, warnings);
+    for (const std::string& warning : warnings)
     {
-      throw Failure("it has no polygons");
+      this->Log->DisplayWarningText(warning.c_str());
     }
-    return;
+    return surface;
   }
-  if (!StartsWithSolid(start))
-  {
-    throw Failure("malformed STL file, it is no text that starts with 'solid', and its size does "
-                  "not fit a binary file of " +
-      std::to_string(announced) + " triangles");
-  }
+  return extension == ".ply" ? ReadPly(this->Bytes)
+    : extension == ".stl"    ? ReadStl(this->Bytes)
+    : extension == ".off"
+    ? ReadOff(this->Bytes)
+    : throw Failure("it is none of the formats that can be read from standard input");
 }
 
-/** vtkOBJReader takes what is no finite number for 0. */
-void CheckObj(const std::string& path)
-{
-  std::ifstream file(path);
-  std::string line;
-  for (long number = 1; std::getline(file, line); ++number)
-  {
-    const std::size_t start = line.find_first_not_of(" \t");
-    if (start == std::string::npos || line.compare(start, 1, "v") != 0 ||
-      line.find_first_of(" \t", start) != start + 1)
-    {
-      continue;
-    }
-    const char* rest = line.c_str() + start + 1;
-    for (int c = 0; c < 3; ++c)
-    {
-      char* end = nullptr;
-      const double value = std::strtod(rest, &end);
-      if (end == rest || !std::isfinite(value))
-      {
-        throw Failure("line " + std::to_string(number) + " has no three finite coordinates");
-      }
-      rest = end;
-    }
-  }
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
-{
-  const std::string extension = LowerCaseExtension(path);
-  if (extension == ".vtp")
-  {
-    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-    reader->SetFileName(path.c_str());
-    return reader;
-  }
-  if (extension == ".vtk")
-  {
-    auto reader = vtkSmartPointer<vtkPolyDataReader>::New();
-    reader->SetFileName(path.c_str());
-    reader->ReadAllScalarsOn();
-    reader->ReadAllVectorsOn();
-    reader->ReadAllNormalsOn();
-    reader->ReadAllTensorsOn();
-    reader->ReadAllTCoordsOn();
-    reader->ReadAllFieldsOn();
-    return reader;
-  }
-  if (extension == ".ply")
-  {
-    CheckPly(path);
-    auto reader = vtkSmartPointer<vtkPLYReader>::New();
-    reader->SetFileName(path.c_str());
-    return reader;
-  }
-  if (extension == ".stl")
-  {
-    CheckStl(path);
-    auto reader = vtkSmartPointer<vtkSTLReader>::New();
-    reader->SetFileName(path.c_str());
-    reader->MergingOff(); // the filter merges
-    return reader;
-  }
-  CheckObj(path);
-  auto reader = vtkSmartPointer<vtkOBJReader>::New();
-  reader->SetFileName(path.c_str());
-  return reader;
-}
-
-/** No reader makes sure that polygons refer to points that exist. */
+/** No reader of VTK makes sure that polygons refer to points that exist. */
 void CheckCells(vtkPolyData* surface)
 {
   for (vtkCellArray* cells :
@@ -218,6 +231,7 @@ void CheckCells(vtkPolyData* surface)
 vtkSmartPointer<vtkPoints> MergePoints(vtkPolyData* surface)
 {
   const auto merged = vtkSmartPointer<vtkPoints>::New();
+  merged->SetDataType(surface->GetPoints()->GetDataType());
   std::set<std::array<double, 3>> seen;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
@@ -232,107 +246,41 @@ vtkSmartPointer<vtkPoints> MergePoints(vtkPolyData* surface)
   }
   return merged;
 }
-
-/** Wavefront OBJ. vtkOBJWriter does not notice a full disk. */
-std::string ObjText(vtkPolyData* surface)
-{
-  std::string text;
-  char line[96];
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double x[3];
-    surface->GetPoint(i, x);
-    std::snprintf(line, sizeof(line), "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
-    text += line;
-  }
-  vtkCellArray* polygons = surface->GetPolys();
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  for (polygons->InitTraversal(); polygons->GetNextCell(size, ids) != 0;)
-  {
-    text += 'f';
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      text += ' ' + std::to_string(ids[i] + 1);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-/** vtkPLYWriter does not notice a full disk; what it wrote is read to find out. */
-void WritePly(vtkPolyData* surface, const std::string& path)
-{
-  vtkNew<vtkPolyData> geometry; // newer writers warn of normals in double precision
-  geometry->CopyStructure(surface);
-  vtkNew<vtkPLYWriter> writer;
-  writer->SetInputData(geometry);
-  writer->SetFileName(path.c_str());
-  writer->SetFileTypeToBinary();
-  writer->Write();
-  try
-  {
-    CheckPly(path);
-  }
-  catch (const Failure&)
-  {
-    throw Failure("the file is not complete, perhaps the disk is full");
-  }
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeVtkWriter(
-  vtkPolyData* surface, const std::string& extension, const std::string& path)
-{
-  if (extension == ".vtk")
-  {
-    auto writer = vtkSmartPointer<vtkPolyDataWriter>::New();
-    writer->SetInputData(surface);
-    writer->SetFileName(path.c_str());
-    writer->SetFileTypeToBinary();
-    return writer;
-  }
-  auto writer = vtkSmartPointer<vtkSTLWriter>::New();
-  writer->SetInputData(surface);
-  writer->SetFileName(path.c_str());
-  writer->SetFileTypeToBinary();
-  return writer;
-}
 } // namespace
 
-void CheckSurfaceName(const std::string& path)
+std::string ExtensionFault(const std::string& path, const std::vector<std::string>& known)
 {
-  CheckExtension(path, { ".vtp", ".vtk", ".ply", ".stl", ".obj" });
-}
-
-void CheckArrayFileName(const std::string& path)
-{
-  CheckExtension(path, { ".vtp", ".vtk" });
+  if (path == "-" || std::find(known.begin(), known.end(), LowerCaseExtension(path)) != known.end())
+  {
+    return "";
+  }
+  std::string sentence = "must end in";
+  for (const std::string& extension : known)
+  {
+    const bool first = &extension == &known.front();
+    const bool last = &extension == &known.back();
+    sentence += (first ? " " : last ? " or " : ", ") + extension;
+  }
+  return sentence;
 }
 
 vtkSmartPointer<vtkPolyData> ReadSurface(
-  const std::string& path, Messages* messages, ProgressBar* progress)
+  const std::string& path, Messages* messages, ProgressBar* progress, std::string* format)
 {
   try
   {
-    CheckReadable(path);
-    CheckSurfaceName(path);
-    const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
-    progress->SetPhase("Reading");
-    reader->AddObserver(vtkCommand::ProgressEvent, progress);
+    const std::string fault = ExtensionFault(
+      path, { ".vtp", ".vtk", ".ply", ".stl", ".obj", ".off", ".vtu", ".glb", ".gltf" });
+    if (!fault.empty())
     {
-      const CrashGuard guard(path);
-      reader->Update();
+      ReadBytes(path); // a file that is not there has its own sentence
+      throw Failure("the name " + fault);
     }
-    auto* surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
-    messages->ThrowIfError("VTK says");
-    messages->ThrowIfWarning("Error reading", "VTK says");
-    if (surface == nullptr)
+    Source source(path, messages, progress);
+    const vtkSmartPointer<vtkPolyData> surface = source.Read();
+    if (format != nullptr)
     {
-      throw Failure("it holds no polygonal data");
-    }
-    if (LowerCaseExtension(path) == ".ply")
-    {
-      RestorePlyCoordinates(path, surface);
+      *format = source.GetExtension();
     }
     CheckCells(surface);
     if (surface->GetNumberOfPolys() > 0)
@@ -358,58 +306,4 @@ vtkSmartPointer<vtkPolyData> ReadSites(
     sites->SetPoints(points);
   }
   return sites;
-}
-
-void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& temporary,
-  Messages* messages, ProgressBar* progress)
-{
-  const std::string extension = LowerCaseExtension(path);
-  if (extension == ".ply")
-  {
-    WritePly(surface, temporary);
-    return;
-  }
-  if (extension == ".vtp")
-  {
-    WriteVtp(surface, temporary, progress);
-    return;
-  }
-  if (extension == ".obj")
-  {
-    WriteBytes(temporary, ObjText(surface));
-    return;
-  }
-  // These writers of VTK find out when they cannot write.
-  const vtkSmartPointer<vtkAlgorithm> writer = MakeVtkWriter(surface, extension, temporary);
-  progress->SetPhase("Writing");
-  writer->AddObserver(vtkCommand::ProgressEvent, progress);
-  writer->Update();
-  messages->ThrowIfError("VTK says");
-  if (writer->GetErrorCode() != 0)
-  {
-    throw Failure(vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
-  }
-}
-
-std::string TableText(vtkTable* table)
-{
-  // vtkDelimitedTextWriter has six digits.
-  std::string text;
-  const vtkIdType columns = table->GetNumberOfColumns();
-  for (vtkIdType column = 0; column < columns; ++column)
-  {
-    text += (column > 0 ? "," : "") + std::string(table->GetColumnName(column));
-  }
-  text += '\n';
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    for (vtkIdType column = 0; column < columns; ++column)
-    {
-      char number[32];
-      std::snprintf(number, sizeof(number), "%.17g", table->GetValue(row, column).ToDouble());
-      text += (column > 0 ? "," : "") + std::string(number);
-    }
-    text += '\n';
-  }
-  return text;
 }

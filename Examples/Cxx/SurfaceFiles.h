@@ -1,10 +1,9 @@
 /**
- * Surfaces in and out, the format chosen by the file's extension: .vtp, .vtk, .ply, .stl, .obj
- * (in any case).
+ * Surfaces in, the format given by the file's extension in any case, or by what standard input
+ * starts with.
  *
- * VTK's readers give STL and OBJ coordinates in single precision. Written are VTP (binary,
- * compressed) and VTK (binary) with all arrays in their own precision, PLY and STL (binary, single
- * precision) and OBJ with the geometry alone.
+ * Coordinates have the precision of the file. VTK's readers are used for VTK's own formats and for
+ * glTF; why not for the others is told where their readers are.
  */
 #ifndef SurfaceFiles_h
 #define SurfaceFiles_h
@@ -12,21 +11,25 @@
 #include <vtkSmartPointer.h>
 
 #include <string>
+#include <vector>
 
 class Messages;
 class ProgressBar;
 class vtkPolyData;
-class vtkTable;
 
-/** Throws Failure unless the extension is one that can be read and written. */
-void CheckSurfaceName(const std::string& path);
+/**
+ * "must end in .a, .b or .c", with ".gz" allowed behind, unless the name does; else empty. "-" has
+ * no extension to check.
+ */
+std::string ExtensionFault(const std::string& path, const std::vector<std::string>& known);
 
-/** Throws Failure unless the extension is one that keeps arrays: .vtp or .vtk. */
-void CheckArrayFileName(const std::string& path);
-
-/** Throws Failure for what cannot be read as it should be; every point id is valid. */
-vtkSmartPointer<vtkPolyData> ReadSurface(
-  const std::string& path, Messages* messages, ProgressBar* progress);
+/**
+ * Throws Failure for what cannot be read as it should be; every point id is valid. What had to be
+ * left out is a warning among the messages. `format`, if there is one, gets the extension of the
+ * format, ".ply".
+ */
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, Messages* messages,
+  ProgressBar* progress, std::string* format = nullptr);
 
 /**
  * The same for sites. STL has the points of each triangle apart: those with equal coordinates are
@@ -34,15 +37,5 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
  */
 vtkSmartPointer<vtkPolyData> ReadSites(
   const std::string& path, Messages* messages, ProgressBar* progress);
-
-/**
- * Writes `surface` to the file `temporary` in the format that `path` asks for. Throws Failure if
- * the file is not complete.
- */
-void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& temporary,
-  Messages* messages, ProgressBar* progress);
-
-/** The table as comma-separated values, a line of names first, doubles with 17 digits. */
-std::string TableText(vtkTable* table);
 
 #endif

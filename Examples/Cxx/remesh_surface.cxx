@@ -1,41 +1,51 @@
 /**
  * remesh_surface: vtkAnisotropicRemesher on the command line.
  *
- * 1. Read the command line and try whether all outputs can be written.
- * 2. Read the surface.
+ * For each input:
+ * 1. Try whether all outputs can be written.
+ * 2. Read the surface, and the one to compare with.
  * 3. Run the filter.
  * 4. Write all outputs under temporary names, then rename them.
+ * 5. Tell what came out.
  *
- * Whatever fails throws a Failure; main() prints its sentence, and no file is left.
+ * Whatever fails throws a Failure, of which one sentence is printed; no file of that input is left,
+ * and the next input has its turn.
  */
-#include "CommandLine.h"
+#include "Comparison.h"
+#include "Completion.h"
 #include "Failure.h"
+#include "InputBytes.h"
 #include "Interruption.h"
+#include "Jobs.h"
 #include "Messages.h"
 #include "OutputFiles.h"
 #include "ProgramMemory.h"
 #include "ProgressBar.h"
+#include "RemesherSetup.h"
 #include "Report.h"
 #include "SurfaceFiles.h"
+#include "SurfaceWriter.h"
+#include "Terminal.h"
 
 #include <vtkAnisotropicRemesher.h>
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
 #include <vtkGaussMapEmbedding.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
+#include <vtkSurfaceMeshComparison.h>
 #include <vtkTable.h>
 #include <vtkVersion.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <new>
+#include <unistd.h>
 
 namespace
 {
@@ -68,125 +78,50 @@ struct Run
   vtkSmartPointer<Messages> Log;
   vtkNew<ProgressBar> Progress;
   vtkSmartPointer<vtkPolyData> Surface;
+  std::string Format;                     // that Surface was read from: ".ply"
+  vtkSmartPointer<vtkPolyData> Reference; // to compare with; null: none
   vtkNew<vtkAnisotropicRemesher> Remesher;
   vtkNew<vtkGaussMapEmbedding> Embedding; // runs only if its output is asked for
+  vtkNew<vtkSurfaceMeshComparison> Comparison;
 };
 
 /** A file to write, and how. */
 struct Output
 {
-  std::string Path;
+  std::string Path; // "-": standard output
   std::function<void(const std::string& temporary)> Write;
 };
 
-void CheckOutputNames(const Options& options)
+vtkSmartPointer<vtkPolyData> ReadPolygons(
+  const std::string& path, Run& run, std::string* format = nullptr)
 {
-  CheckSurfaceName(options.Output);
-  for (const std::string& path :
-    { options.Cells, options.Sites, options.Edges, options.EmbeddedSurface })
+  auto surface = ReadSurface(path, run.Log, run.Progress, format);
+  if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfStrips() == 0)
   {
-    if (!path.empty())
-    {
-      CheckArrayFileName(path);
-    }
+    throw Failure("'" + path + "' has no polygons");
   }
-}
-
-/** Throws Failure unless `surface` has a point array `name`, of 3 components if `normals`. */
-void CheckArray(vtkPolyData* surface, const std::string& name, bool normals)
-{
-  vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
-  if (array == nullptr)
-  {
-    throw Failure("the surface has no point array '" + name + "'");
-  }
-  if (normals && array->GetNumberOfComponents() != 3)
-  {
-    throw Failure("the point array '" + name + "' has " +
-      std::to_string(array->GetNumberOfComponents()) + " components, normals have 3");
-  }
+  return surface;
 }
 
 void ReadInput(Run& run)
 {
   const Options& options = run.Parameters;
   const Stopwatch watch;
-  run.Surface = ReadSurface(options.Input, run.Log, run.Progress);
-  if (run.Surface->GetNumberOfPolys() == 0 && run.Surface->GetNumberOfStrips() == 0)
+  run.Surface = ReadPolygons(options.Input, run, &run.Format);
+  if (!options.Compare.empty())
   {
-    throw Failure("'" + options.Input + "' has no polygons");
+    run.Reference =
+      options.Compare == options.Input ? run.Surface : ReadPolygons(options.Compare, run);
   }
-  if (options.Normals == "none")
+  if (!options.Output.empty())
   {
-    run.Surface->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
-  }
-  else if (!options.Normals.empty())
-  {
-    CheckArray(run.Surface, options.Normals, true);
-  }
-  if (!options.EmbeddingArray.empty())
-  {
-    CheckArray(run.Surface, options.EmbeddingArray, false);
-  }
-  for (const CoordinateArray& coordinates : options.Coordinates)
-  {
-    CheckArray(run.Surface, coordinates.Name, false);
-  }
-  if (!options.Density.empty())
-  {
-    CheckArray(run.Surface, options.Density, false);
-  }
-  if (!options.Labels.empty() &&
-    run.Surface->GetCellData()->GetAbstractArray(options.Labels.c_str()) == nullptr)
-  {
-    throw Failure("the surface has no cell array '" + options.Labels + "'");
+    CheckArrays(run.Surface, options);
   }
   if (!options.InitialSites.empty())
   {
     run.Remesher->SetInitialSitesData(ReadSites(options.InitialSites, run.Log, run.Progress));
   }
   run.Times.Read = watch.GetSeconds();
-}
-
-int BackendNumber(const std::string& name)
-{
-  return name == "sequential" ? vtkEmbeddedSurfaceAlgorithm::SMP_SEQUENTIAL
-    : name == "stdthread"     ? vtkEmbeddedSurfaceAlgorithm::SMP_STDTHREAD
-    : name == "tbb"           ? vtkEmbeddedSurfaceAlgorithm::SMP_TBB
-                              : vtkEmbeddedSurfaceAlgorithm::SMP_AUTOMATIC;
-}
-
-int PlacementNumber(const std::string& name)
-{
-  return name == "centroid" ? vtkAnisotropicRemesher::CENTROID
-    : name == "surface"     ? vtkAnisotropicRemesher::SURFACE_POINT
-    : name == "quadric"     ? vtkAnisotropicRemesher::QUADRIC
-                            : vtkAnisotropicRemesher::FIT;
-}
-
-/** The parameters that the remesher and the embedding have in common. */
-void SetEmbedding(vtkEmbeddedSurfaceAlgorithm* filter, const Options& options)
-{
-  filter->SetEmbeddingMode(options.Dimension == 3 ? vtkEmbeddedSurfaceAlgorithm::POSITION
-                                                  : vtkEmbeddedSurfaceAlgorithm::GAUSS_MAP);
-  filter->SetAnisotropy(options.Anisotropy);
-  filter->SetNormalSmoothingPasses(options.NormalSmoothingPasses);
-  filter->SetMergeTolerance(options.MergeTolerance);
-  if (!options.Normals.empty() && options.Normals != "none")
-  {
-    filter->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, options.Normals.c_str());
-  }
-  if (!options.EmbeddingArray.empty())
-  {
-    filter->SetEmbeddingArray(options.EmbeddingArray.c_str());
-  }
-  for (const CoordinateArray& coordinates : options.Coordinates)
-  {
-    filter->AddCoordinateArray(coordinates.Name.c_str(), coordinates.Scale);
-  }
-  filter->SetSMPBackend(BackendNumber(options.Backend));
-  filter->SetNumberOfThreads(options.Threads);
 }
 
 void Execute(vtkEmbeddedSurfaceAlgorithm* filter, Run& run)
@@ -205,30 +140,7 @@ void Remesh(Run& run)
 {
   const Options& options = run.Parameters;
   vtkAnisotropicRemesher* remesher = run.Remesher;
-  remesher->SetNumberOfPoints(options.NumberOfPoints);
-  remesher->SetDistanceTolerance(options.Tolerance);
-  remesher->SetMaximumNumberOfPoints(options.MaximumPoints);
-  remesher->SetPreserveFeatures(options.PreserveFeatures);
-  remesher->SetMaximumNumberOfExtraPoints(options.MaximumExtraPoints);
-  remesher->SetFeatureAngle(options.FeatureAngle);
-  if (!options.Labels.empty())
-  {
-    remesher->SetFeatureLabelArray(options.Labels.c_str());
-  }
-  if (!options.Density.empty())
-  {
-    remesher->SetDensityArray(options.Density.c_str());
-  }
-  remesher->SetNumberOfLloydIterations(options.LloydIterations);
-  remesher->SetNumberOfNewtonIterations(options.NewtonIterations);
-  remesher->SetSeed(options.Seed);
-  remesher->SetSamplingMethod(options.Sampling == "random" ? vtkAnisotropicRemesher::RANDOM
-                                                           : vtkAnisotropicRemesher::STRATIFIED);
-  remesher->SetVertexPlacement(PlacementNumber(options.Placement));
-  remesher->SetCoarseStart(options.CoarseStart);
-  remesher->SetMeasureDistance(options.MeasureDistance);
-  remesher->SetGenerateVoronoiCells(!options.Cells.empty());
-  remesher->SetGenerateEdges(!options.Edges.empty());
+  SetRemeshing(remesher, options);
   const std::size_t earlier = run.Log->GetWarnings().size();
   Execute(remesher, run);
   if (remesher->GetOutput()->GetNumberOfPoints() == 0)
@@ -249,6 +161,42 @@ void Remesh(Run& run)
   }
 }
 
+/** Compares the mesh, or the input if there is none, with the reference if there is one. */
+void Compare(Run& run)
+{
+  const Options& options = run.Parameters;
+  if (run.Reference == nullptr)
+  {
+    return;
+  }
+  run.Comparison->SetInputData(
+    options.Output.empty() ? run.Surface.Get() : run.Remesher->GetOutput());
+  run.Comparison->SetReferenceData(run.Reference);
+  run.Comparison->SetNumberOfThreads(options.Threads);
+  run.Comparison->AddObserver(vtkCommand::ProgressEvent, run.Progress);
+  run.Progress->SetPhase("Comparing");
+  run.Comparison->Update();
+  StopIfInterrupted();
+  run.Log->ThrowIfError("cannot compare with '" + options.Compare + "'");
+}
+
+std::string MakeReport(Run& run)
+{
+  run.Times.Total = run.Watch.GetSeconds();
+  vtkTable* comparison = run.Reference ? run.Comparison->GetSummaryOutput() : nullptr;
+  return run.Parameters.Output.empty() ? ComparisonReportText(run.Parameters, comparison)
+                                       : ReportText(run.Parameters, run.Surface, run.Remesher,
+                                           comparison, run.Times, run.Log->GetWarnings());
+}
+
+/** A name that tells the format: as wished, else that of the input if it can be written. */
+std::string StandardOutputName(const Run& run)
+{
+  const std::string& wish = run.Parameters.Format;
+  const bool known = ExtensionFault("x" + run.Format, writableExtensions).empty();
+  return "standard output" + (!wish.empty() ? "." + wish : known ? run.Format : ".vtp");
+}
+
 /** The files asked for; the report comes last, it tells how long the others took. */
 std::vector<Output> ListOutputs(Run& run)
 {
@@ -267,7 +215,8 @@ std::vector<Output> ListOutputs(Run& run)
       [&run, &path, filter, port](const std::string& temporary)
       {
         auto* surface = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
-        WriteSurface(surface, path, temporary, run.Log, run.Progress);
+        const std::string name = path == "-" ? StandardOutputName(run) : path;
+        WriteSurface(surface, name, temporary, run.Log, run.Progress);
       });
   };
   const Options& options = run.Parameters;
@@ -279,13 +228,10 @@ std::vector<Output> ListOutputs(Run& run)
   add(options.Convergence,
     [&run](const std::string& temporary)
     { WriteBytes(temporary, TableText(run.Remesher->GetConvergenceOutput())); });
-  add(options.Report,
-    [&run](const std::string& temporary)
-    {
-      run.Times.Total = run.Watch.GetSeconds();
-      WriteBytes(temporary,
-        ReportText(run.Parameters, run.Surface, run.Remesher, run.Times, run.Log->GetWarnings()));
-    });
+  const Writer report = [&run](const std::string& temporary)
+  { WriteBytes(temporary, MakeReport(run)); };
+  add(options.Report, report);
+  add(options.Json ? "-" : "", report);
   return outputs;
 }
 
@@ -308,41 +254,115 @@ void WriteOutputs(const std::vector<Output>& outputs, OutputFiles& files, Run& r
   files.Commit();
 }
 
-void RemeshSurface(const Options& options)
+/** Announces all outputs, so that what cannot be written is known before the long run. */
+void Announce(const std::vector<Output>& outputs, OutputFiles& files, const Options& options)
 {
-  CheckOutputNames(options);
-  const bool needsNumber = options.InitialSites.empty() && !(options.Tolerance > 0.0);
-  if (needsNumber && options.NumberOfPoints < 4)
+  for (const std::string& input : options.Files)
   {
-    throw Failure("a mesh needs at least 4 points, not " + std::to_string(options.NumberOfPoints));
+    files.Protect(input);
   }
-  Run run(options);
-  const std::vector<Output> outputs = ListOutputs(run);
-  OutputFiles files;
-  files.Protect(options.Input);
   files.Protect(options.InitialSites);
+  files.Protect(options.Compare);
   for (const Output& output : outputs)
   {
-    files.Add(output.Path);
+    if (output.Path == "-")
+    {
+      files.AddStandardOutput();
+    }
+    else
+    {
+      files.Add(output.Path);
+    }
   }
-  ReadInput(run);
-  StopIfInterrupted();
-  Remesh(run);
-  WriteOutputs(outputs, files, run);
+}
+
+/** "mesh.vtp: 5000 points, 9996 triangles, ..." */
+std::string LastLine(Run& run)
+{
+  vtkPolyData* mesh = run.Remesher->GetOutput();
+  const auto fact = [mesh](const char* name, double missing)
+  {
+    vtkDataArray* array = mesh->GetFieldData()->GetArray(name);
+    return array != nullptr ? array->GetComponent(0, 0) : missing;
+  };
+  std::string line = Colored(run.Parameters.Output + ":", Color::Bold, STDOUT_FILENO) + " " +
+    std::to_string(mesh->GetNumberOfPoints()) + " points, " +
+    std::to_string(mesh->GetNumberOfPolys()) + " triangles, topology " +
+    (fact("TopologyPreserved", 0) > 0 ? "preserved" : "not proven");
+  char text[80];
+  const double distance = fact("RMSDistance", -1);
+  if (distance >= 0)
+  {
+    std::snprintf(text, sizeof(text), ", RMS distance %.1e of the diagonal",
+      distance / std::max(run.Surface->GetLength(), 1e-300));
+    line += text;
+  }
+  std::snprintf(text, sizeof(text), ", %.1f s", run.Watch.GetSeconds());
+  return line + text;
+}
+
+void TellResult(Run& run)
+{
+  const Options& options = run.Parameters;
   run.Progress->Clear();
   for (const std::string& warning : run.Log->GetWarnings())
   {
     if (!options.Quiet)
     {
-      std::cerr << "remesh_surface: warning: " << warning << '\n';
+      PrintWarning((options.IsOneOfMany ? options.Input + ": " : "") + warning);
     }
+  }
+  const bool isData = options.Output == "-" || options.Json;
+  if (run.Reference != nullptr && !options.Json)
+  {
+    const std::string mesh = options.Output.empty() ? options.Input : options.Output;
+    (isData ? std::cerr : std::cout)
+      << ComparisonText(run.Comparison->GetSummaryOutput(), mesh, options.Compare);
+  }
+  if (!options.Quiet && !isData && !options.Output.empty())
+  {
+    std::cout << LastLine(run) << std::endl;
   }
 }
 
-void PrintVersion()
+void RemeshSurface(const Options& options)
 {
-  std::cout << "remesh_surface " << ANISOTROPIC_REMESHING_VERSION << " (VTK "
-            << vtkVersion::GetVTKVersion() << ")\n";
+  Run run(options);
+  const std::vector<Output> outputs = ListOutputs(run);
+  OutputFiles files;
+  Announce(outputs, files, options);
+  ReadInput(run);
+  StopIfInterrupted();
+  if (!options.Output.empty())
+  {
+    Remesh(run);
+  }
+  Compare(run);
+  WriteOutputs(outputs, files, run);
+  TellResult(run);
+}
+
+/** One after the other; returns the exit status. */
+int RemeshAll(const std::vector<Options>& jobs)
+{
+  int status = EXIT_SUCCESS;
+  for (const Options& job : jobs)
+  {
+    try
+    {
+      RemeshSurface(job);
+    }
+    catch (const Failure& failure)
+    {
+      PrintError(failure.what());
+      status = std::max<int>(status, failure.Status);
+    }
+    if (Interrupted())
+    {
+      return EXIT_CANNOT;
+    }
+  }
+  return status;
 }
 
 int Main(const std::vector<std::string>& arguments)
@@ -354,19 +374,25 @@ int Main(const std::vector<std::string>& arguments)
   }
   else if (options.Version)
   {
-    PrintVersion();
+    std::cout << "remesh_surface " << ANISOTROPIC_REMESHING_VERSION << " (VTK "
+              << vtkVersion::GetVTKVersion() << ")\n";
+  }
+  else if (!options.Completion.empty())
+  {
+    std::cout << CompletionText(options.Completion);
   }
   else
   {
+    const std::vector<Options> jobs = ListJobs(options);
     CatchInterruptions();
-    RemeshSurface(options);
+    return RemeshAll(jobs);
   }
   return EXIT_SUCCESS;
 }
 
 int GiveUp(const std::string& sentence, int status)
 {
-  std::cerr << "remesh_surface: " << sentence << '\n';
+  PrintError(sentence);
   return status;
 }
 } // namespace
@@ -374,20 +400,23 @@ int GiveUp(const std::string& sentence, int status)
 int main(int argc, char* argv[])
 {
   KeepFreedMemory();
+  int status = EXIT_CANNOT;
   try
   {
-    return Main(std::vector<std::string>(argv + 1, argv + argc));
+    status = Main(std::vector<std::string>(argv + 1, argv + argc));
   }
   catch (const Failure& failure)
   {
-    return GiveUp(failure.what(), failure.Status);
+    status = GiveUp(failure.what(), failure.Status);
   }
   catch (const std::bad_alloc&)
   {
-    return GiveUp("not enough memory", EXIT_CANNOT);
+    status = GiveUp("not enough memory", EXIT_CANNOT);
   }
   catch (const std::exception& error)
   {
-    return GiveUp(error.what(), EXIT_CANNOT);
+    status = GiveUp(error.what(), EXIT_CANNOT);
   }
+  DieIfInterrupted();
+  return status;
 }

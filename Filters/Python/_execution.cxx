@@ -88,14 +88,31 @@ struct MainThread
 
 MainThread mainThread;
 
-/** Takes SIGINT where there is a handler to be called later: Python's. */
+/** Whether SIGINT calls a Python function: not the system's default, nor a handler of C. */
+bool pythonHandlesSignal()
+{
+  const vtkPythonScopeGilEnsurer gil(true);
+  KeptException outside;
+  outside.take();
+  PyObject* const module = PyImport_ImportModule("signal");
+  PyObject* const handler =
+    module ? PyObject_CallMethod(module, "getsignal", "i", SIGINT) : nullptr;
+  const bool handles = handler && PyCallable_Check(handler);
+  Py_XDECREF(handler);
+  Py_XDECREF(module);
+  outside.raise();
+  return handles;
+}
+
+/** Takes SIGINT where there is a handler to be called later. */
 void takeSignal()
 {
   struct sigaction ours = {};
   ours.sa_handler = noteSignal;
   sigemptyset(&ours.sa_mask);
   interrupted = 0;
-  mainThread.takesSignal = sigaction(SIGINT, nullptr, &mainThread.before) == 0 &&
+  mainThread.takesSignal = pythonHandlesSignal() &&
+    sigaction(SIGINT, nullptr, &mainThread.before) == 0 &&
     mainThread.before.sa_handler != SIG_DFL && mainThread.before.sa_handler != SIG_IGN &&
     sigaction(SIGINT, &ours, nullptr) == 0;
 }

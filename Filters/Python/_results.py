@@ -63,12 +63,12 @@ class _Result:
         return data
 
     @property
-    def points(self) -> Any:
+    def points(self) -> numpy.ndarray[Any, Any]:
         """(n, 3) numpy view of the points, space of the surface. No copy; changes are seen."""
         return _surfaces.points_of(self._plain())
 
     @property
-    def triangles(self) -> Any:
+    def triangles(self) -> numpy.ndarray[Any, Any]:
         """(m, 3) numpy view of the triangles: indices of points, 64 or 32 bits. No copy."""
         return _surfaces.triangles_of(self._plain())
 
@@ -248,7 +248,7 @@ class Embedded(_Result):
         return self._give(0, "cells")
 
     @property
-    def embedding(self) -> Any:
+    def embedding(self) -> numpy.ndarray[Any, Any]:
         """(n, d) numpy view, a row for each point of the surface: where it is in R^d."""
         return vtk_to_numpy(self._plain().GetPointData().GetArray("Embedding"))
 

@@ -1,5 +1,6 @@
 """What the tests of remesh_surface share: surfaces in all formats, and running the program."""
 import argparse
+import json
 import os
 import shutil
 import subprocess
@@ -22,6 +23,8 @@ WRITERS = dict(zip(FORMATS, (vtkXMLPolyDataWriter, vtkPolyDataWriter, vtkPLYWrit
 READERS = dict(zip(FORMATS, (vtkXMLPolyDataReader, vtkPolyDataReader, vtkPLYReader, vtkSTLReader,
                              vtkOBJReader)))
 SMALL = ["--points", "60", "--lloyd", "2"]
+LAST_LINE = (r"\A\S.*: (\d+) points, (\d+) triangles, topology (preserved|not proven)"
+             r"(, RMS distance \S+ of the diagonal)?, \d+\.\d s\n\Z")
 
 
 def sphere():
@@ -57,6 +60,12 @@ def read(path):
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
+
+
+def load(path):
+    """A report."""
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
 
 
 def content(path):
@@ -99,10 +108,15 @@ class CommandLineTest(unittest.TestCase):
                               encoding="utf-8", errors="replace", timeout=300, check=False,
                               **keywords)
 
-    def succeed(self, *arguments):
-        result = self.run_program(*arguments)
-        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""), arguments)
-        return self
+    def succeed(self, *arguments, **keywords):
+        """The run says nothing but its last line, which is returned."""
+        result = self.run_program(*arguments, **keywords)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
+        if {"--quiet", "-q"} & set(arguments):
+            self.assertEqual(result.stdout, "")
+        else:
+            self.assertRegex(result.stdout, LAST_LINE)
+        return result.stdout
 
     def fail_with(self, status, pattern, *arguments, **keywords):
         """The run has this exit status, one sentence that matches, and leaves no new file."""

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Ctrl-C, typed in a terminal of its own, ends a run and raises KeyboardInterrupt."""
+import contextlib
 import os
 import pty
 import select
@@ -37,13 +38,49 @@ def say(*words):
     print(*words, flush=True)
 
 def raises(kind, call, *arguments, **more):
-    say("running")
+    # Says how a call ends, with a number that counts such calls.
+    raises.count += 1
+    say("running", raises.count)
     try:
         call(*arguments, **more)
     except kind as error:
-        say("caught", type(error).__name__, error)
+        say("caught", raises.count, type(error).__name__, error)
     else:
-        say("not raised")
+        say("not raised", raises.count)
+
+raises.count = 0
+"""
+
+# One process for all that ends a call: to start costs more than they do.
+CALLS = """
+raises(KeyboardInterrupt, long_run)
+say("handler", signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+raises(KeyboardInterrupt, long_run)
+raises(KeyboardInterrupt, long_run)
+raises(KeyboardInterrupt, long_run, progress=True)
+raises(KeyboardInterrupt, long_run, progress=lambda *_: time.sleep(0.02))
+say("function again", ar.remesh(surface, 200).points.shape)
+
+remesher = filter_of()
+raises(KeyboardInterrupt, remesher.Update)
+remesher.AddObserver("ProgressEvent", lambda *_: time.sleep(0.01))
+remesher.AddObserver("EndEvent", lambda *_: say("observed the end", sum(range(100000))))
+raises(KeyboardInterrupt, remesher.Update)
+triangles = vtkTriangleFilter()
+triangles.SetInputConnection(remesher.GetOutputPort())
+triangles.AddObserver("StartEvent", lambda *_: say("observed the start", sum(range(100000))))
+raises(KeyboardInterrupt, triangles.Update)
+remesher.SetNumberOfPoints(200)
+remesher.SetNumberOfLloydIterations(0)
+triangles.Update()
+say("pipeline again", triangles.GetOutput().GetNumberOfPoints())
+
+def handler(number, frame):
+    raise LookupError(number)
+
+signal.signal(signal.SIGINT, handler)
+raises(LookupError, long_run)
+say("own handler", signal.getsignal(signal.SIGINT) is handler)
 """
 
 
@@ -82,114 +119,65 @@ class Terminal:
 
 
 class TestInterruption(unittest.TestCase):
-    def interrupt(self, program, expected, delay=0.6, status=0):
-        """Runs it, types Ctrl-C some time after "running", and waits for what it says."""
+    def interrupt(self, terminal, start, expected, delay=0.4):
+        """Types Ctrl-C some time after it says `start`; it must say `expected` soon."""
+        self.assertIsNotNone(terminal.read_until(start), terminal.text)
+        time.sleep(delay)
+        terminal.interrupt()
+        seconds = terminal.read_until(expected, 20.0)
+        self.assertIsNotNone(seconds, terminal.text)
+        print(f"{expected}: {seconds:.3f} s")
+        self.assertLess(seconds, SECONDS, terminal.text)
+
+    @contextlib.contextmanager
+    def terminal(self, program, status=0):
         terminal = Terminal(program)
         try:
-            self.assertIsNotNone(terminal.read_until("running"), terminal.text)
-            time.sleep(delay)
-            terminal.interrupt()
-            seconds = terminal.read_until(expected, 20.0)
-            self.assertIsNotNone(seconds, terminal.text)
-            code = terminal.end()
+            yield terminal
         except BaseException:
             os.kill(terminal.pid, signal.SIGKILL)
             terminal.end()
             raise
-        self.assertEqual(code, status, terminal.text)
-        self.assertLess(seconds, SECONDS, terminal.text)
-        return terminal.text
+        self.assertEqual(terminal.end(), status, terminal.text)
 
-    def test_function(self):
-        text = self.interrupt("""
-raises(KeyboardInterrupt, long_run)
-say("handler", signal.getsignal(signal.SIGINT) is signal.default_int_handler)
-say("again", ar.remesh(surface, 200).points.shape)
-""", "caught KeyboardInterrupt")
-        self.assertIn("handler True", text)
-        self.assertIn("again (200, 3)", text)
-
-    def test_every_moment(self):
-        for delay in (0.0, 0.05, 0.2):
-            self.interrupt("raises(KeyboardInterrupt, long_run)", "caught KeyboardInterrupt", delay)
+    def test_calls(self):
+        delays = [0.6, 0.0, 0.1] + [0.4] * 5
+        with self.terminal(CALLS) as terminal:
+            for number, delay in enumerate(delays, 1):
+                self.interrupt(terminal, f"running {number}", f"caught {number} KeyboardInterrupt",
+                               delay)
+            self.interrupt(terminal, "running 9", "caught 9 LookupError 2")
+        for word in ("function again (200, 3)", "pipeline again 200", "observed the end",
+                     "observed the start", "handler True", "own handler True"):
+            self.assertIn(word, terminal.text)
 
     def test_script_that_does_not_catch(self):
-        text = self.interrupt("say('running'); long_run()", "KeyboardInterrupt",
-                              status=-signal.SIGINT)
-        self.assertIn("Traceback", text)
-
-    def test_progress(self):
-        self.interrupt("raises(KeyboardInterrupt, long_run, progress=True)",
-                       "caught KeyboardInterrupt")
-        self.interrupt("raises(KeyboardInterrupt, long_run, progress=lambda *_: time.sleep(0.02))",
-                       "caught KeyboardInterrupt")
-
-    def test_filter(self):
-        text = self.interrupt("""
-remesher = filter_of()
-raises(KeyboardInterrupt, remesher.Update)
-remesher.SetNumberOfPoints(200)
-remesher.SetNumberOfLloydIterations(0)
-remesher.Update()
-say("again", remesher.GetOutput().GetNumberOfPoints())
-""", "caught KeyboardInterrupt")
-        self.assertIn("again 200", text)
-
-    def test_filter_with_observers(self):
-        text = self.interrupt("""
-remesher = filter_of()
-remesher.AddObserver("ProgressEvent", lambda *_: time.sleep(0.01))
-remesher.AddObserver("EndEvent", lambda *_: say("observed the end", sum(range(100000))))
-raises(KeyboardInterrupt, remesher.Update)
-""", "caught KeyboardInterrupt")
-        self.assertIn("observed the end", text)
-
-    def test_pipeline(self):
-        text = self.interrupt("""
-remesher = filter_of()
-triangles = vtkTriangleFilter()
-triangles.SetInputConnection(remesher.GetOutputPort())
-triangles.AddObserver("StartEvent", lambda *_: say("observed the start", sum(range(100000))))
-raises(KeyboardInterrupt, triangles.Update)
-remesher.SetNumberOfPoints(200)
-remesher.SetNumberOfLloydIterations(0)
-triangles.Update()
-say("again", triangles.GetOutput().GetNumberOfPoints())
-""", "caught KeyboardInterrupt")
-        self.assertIn("again 200", text)
-
-    def test_own_handler_that_raises(self):
-        text = self.interrupt("""
-def handler(number, frame):
-    raise LookupError(number)
-signal.signal(signal.SIGINT, handler)
-raises(LookupError, long_run)
-say("handler", signal.getsignal(signal.SIGINT) is handler)
-""", "caught LookupError 2")
-        self.assertIn("handler True", text)
+        with self.terminal("say('running'); long_run()", -signal.SIGINT) as terminal:
+            self.interrupt(terminal, "running", "KeyboardInterrupt")
+        self.assertIn("Traceback", terminal.text)
 
     def test_own_handler_that_does_not_raise(self):
-        text = self.interrupt("""
+        with self.terminal("""
 signal.signal(signal.SIGINT, lambda *_: say("handled"))
 say("running")
 result = ar.remesh(surface, 20000, lloyd_iterations=60, coarse_start=False)
 say("points", result.points.shape[0])
-""", "handled", 0.3)
-        self.assertIn("points 20000", text)
+""") as terminal:
+            self.interrupt(terminal, "running", "handled", 0.3)
+        self.assertIn("points 20000", terminal.text)
 
     def test_ignored(self):
-        terminal = Terminal("""
+        with self.terminal("""
 signal.signal(signal.SIGINT, signal.SIG_IGN)
 say("running")
 say("points", ar.remesh(surface, 2000).points.shape[0])
-""")
-        self.assertIsNotNone(terminal.read_until("running"), terminal.text)
-        terminal.interrupt()
-        self.assertEqual(terminal.end(), 0)
+""") as terminal:
+            self.assertIsNotNone(terminal.read_until("running"), terminal.text)
+            terminal.interrupt()
         self.assertIn("points 2000", terminal.text)
 
     def test_other_thread_works_on(self):
-        text = self.interrupt("""
+        with self.terminal("""
 found = []
 thread = threading.Thread(target=lambda: found.append(
     ar.remesh(surface, 20000, lloyd_iterations=60, coarse_start=False)))
@@ -197,8 +185,9 @@ thread.start()
 raises(KeyboardInterrupt, time.sleep, 60)
 thread.join()
 say("points", found[0].points.shape[0])
-""", "caught KeyboardInterrupt", 0.3)
-        self.assertIn("points 20000", text)
+""") as terminal:
+            self.interrupt(terminal, "running 1", "caught 1 KeyboardInterrupt", 0.3)
+        self.assertIn("points 20000", terminal.text)
 
 
 if __name__ == "__main__":
