@@ -66,7 +66,7 @@ def draw(options, result):
         panels.shade(raise_up(fine), disks, "the same, on the hill"),
         panels.cells(Raised, "even cells"), panels.mesh(Raised.mesh, "even triangles")],
         view=3 * [(0.0, -0.001, 1.0)] + 3 * [(0.4, -1.0, 0.9)], up=(0, 0.3, 1), columns=3,
-        size=(350, 320))
+        size=(330, 300))
 
 
 if __name__ == "__main__":

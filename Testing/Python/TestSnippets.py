@@ -8,7 +8,8 @@
    built with the block of CMake under the same heading, against an installation of the build.
 2. A block that a test cannot run has a line `<!-- not run: REASON -->` above it; such blocks are
    listed. Blocks of text, json and the like are no code. A block without a language is a mistake.
-3. Every message of the filters is in Documentation/Messages.md; every array of their outputs is in
+3. A shell block that names cmake builds a program against that installation.
+4. Every message of the filters is in Documentation/Messages.md; every array of their outputs is in
    Documentation/Outputs.md, and every array named there exists.
 """
 import argparse
@@ -152,16 +153,21 @@ class TestSnippets(unittest.TestCase):
             lines = [line[2:] for line in lines if line.startswith("$ ")]
         self.run_in(folder, ["sh", "-e", "-c", "\n".join(lines)], block.place)
 
+    def install(self):
+        """The build, once, where the snippets' CMake looks."""
+        if not (self.folder / "prefix").exists():
+            self.run_in(self.folder, [OPTIONS.cmake, "--install", str(OPTIONS.build), "--prefix",
+                                      str(self.folder / "prefix")], "the installation")
+
     def run_cxx(self, folder, blocks):
-        """Builds the project that the blocks make, and runs its shell blocks or program."""
+        """Writes the project of the blocks; builds and runs it, unless shell blocks do."""
         build = next(block for block in blocks if block.language == "cmake")
         program = next(block for block in blocks if block.language == "cpp")
         names = re.search(r"add_executable\((\w+)\s+([\w.]+)", build.text)
         (folder / names.group(2)).write_text(program.text, encoding="utf-8")
         (folder / "CMakeLists.txt").write_text(build.text, encoding="utf-8")
-        if not (self.folder / "prefix").exists():
-            self.run_in(folder, [OPTIONS.cmake, "--install", str(OPTIONS.build), "--prefix",
-                                 str(self.folder / "prefix")], "the installation")
+        if any("cmake" in block.text for block in blocks if block.language == "sh"):
+            return
         configure = [OPTIONS.cmake, "-S", ".", "-B", "cxx", "-DCMAKE_BUILD_TYPE=Release"]
         self.run_in(folder, configure, build.place)
         self.run_in(folder, [OPTIONS.cmake, "--build", "cxx"], program.place)
@@ -174,11 +180,15 @@ class TestSnippets(unittest.TestCase):
         if script:
             (folder / "snippet.py").write_text("".join(b.text for b in script), encoding="utf-8")
             self.run_in(folder, [sys.executable, "snippet.py"], script[0].place)
-        if project and OPTIONS.no_cxx:
-            print(f"not run: {project[0].place} (cpp): programs of this build need its sanitizers")
-        elif project:
-            self.assertEqual({b.language for b in project}, {"cpp", "cmake"}, project[0].place)
-            self.run_cxx(folder, project)
+        builds = [b for b in blocks if b in project or b.language == "sh" and "cmake" in b.text]
+        if builds and OPTIONS.no_cxx:
+            print(f"not run: {builds[0].place}: programs of this build need its sanitizers")
+            blocks = [block for block in blocks if block not in builds]
+        elif builds:
+            self.install()
+            if project:
+                self.assertEqual({b.language for b in project}, {"cpp", "cmake"}, project[0].place)
+                self.run_cxx(folder, blocks)
         for block in blocks:
             if block.language in ("sh", "console"):
                 self.run_shell(folder, block)
@@ -200,6 +210,18 @@ class TestSnippets(unittest.TestCase):
                         self.run_section(path, number, good)
         print(f"{ran} blocks of code ran")
         self.assertGreater(ran, 10)
+
+    def test_fences(self):
+        """Code stands between fences, so that it is run; in lists, text may be indented."""
+        for path in self.sources:
+            in_list = fenced = blank = False
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                fenced ^= line.lstrip().startswith("```")
+                if line and not line.startswith(" "):
+                    in_list = bool(re.match(r"[-*] |\d+\. ", line))
+                code = not fenced and not in_list and blank and line.startswith("    ")
+                self.assertFalse(code, f"{path.name}:{number}: fence this code with its language")
+                blank = not line.strip()
 
     def test_links(self):
         """Files and headings that the documents refer to exist."""
