@@ -6,8 +6,8 @@
 set -e
 common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev python3 python3-numpy
   xvfb xauth"
-vtk="libvtk9-dev python3-vtk9"
-paraview="paraview paraview-dev dpkg-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
+vtk="libvtk9-dev python3-vtk9 dpkg-dev file"
+paraview="paraview paraview-dev dpkg-dev file python3-mpi4py mpi-default-dev libdouble-conversion-dev
   libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev openbox"
 
 # The Qt of ParaView's window: 5 until ParaView 5.11, then 6.
