@@ -8,7 +8,6 @@
 set(CPACK_PACKAGE_NAME "anisotropic-remeshing")
 set(CPACK_PACKAGE_VENDOR "The AnisotropicRemeshing authors")
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "anisotropic surface remeshing by Voronoi tessellation")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -55,7 +54,8 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/Debian/stage.cmake")
 set(CPACK_ANISOTROPIC_REMESHING_MANDIR "${CMAKE_INSTALL_MANDIR}")
 
-set(summary "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}")
+# No CPACK_PACKAGE_DESCRIPTION_SUMMARY: that would come before each package's own.
+set(summary "anisotropic surface remeshing by Voronoi tessellation")
 string(JOIN "\n" story
   "Remeshes a surface with a given number of points, adapted to its"
   "curvature: triangles become long along flat directions and small where"
