@@ -3,8 +3,8 @@
 # would break off half way and leave what came before.
 set(installed_files)
 foreach (target IN ITEMS
-    FiltersAnisotropicRemeshing vtkFiltersAnisotropicRemeshingPython remesh_surface
-    AnisotropicRemeshing)
+    FiltersAnisotropicRemeshing vtkFiltersAnisotropicRemeshingPython
+    AnisotropicRemeshingPythonExecution remesh_surface AnisotropicRemeshing)
   string(APPEND installed_files " \"$<$<TARGET_EXISTS:${target}>:$<TARGET_FILE:${target}>>\"")
 endforeach ()
 install(CODE "

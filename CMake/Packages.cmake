@@ -102,8 +102,9 @@ else ()
 
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
   debian_package(python python3-anisotropic-remeshing python "Python 3" "The package for Python.")
+  set(interpreter "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}~)")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "${library}, python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}~), python3-vtk9")
+    "${library}, ${interpreter}, python3-numpy, python3-vtk9")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     "${CMAKE_CURRENT_LIST_DIR}/Debian/postinst;${CMAKE_CURRENT_LIST_DIR}/Debian/prerm")
   set(CPACK_ANISOTROPIC_REMESHING_PYTHON_DIR "${python_destination}")
