@@ -1,130 +1,116 @@
-# Debian packages; CMake/make-packages.sh builds them. With the prefix /usr alone:
-#   VTK build       libanisotropic-remeshing0, libanisotropic-remeshing-dev,
-#                   python3-anisotropic-remeshing, anisotropic-remeshing-tools
-#   ParaView build  paraview-anisotropic-remeshing
-option(ANISOTROPIC_REMESHING_DEBIAN_PACKAGES
-  "Install for Debian packages: copyright files, a compressed man page, ParaView's configuration" OFF)
-if (NOT ANISOTROPIC_REMESHING_DEBIAN_PACKAGES)
-  return ()
-endif ()
-if (NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
-  message(FATAL_ERROR "ANISOTROPIC_REMESHING_DEBIAN_PACKAGES needs CMAKE_INSTALL_PREFIX=/usr")
-endif ()
-
-set(package_folder "${CMAKE_BINARY_DIR}/Packages")
-set(CPACK_GENERATOR DEB)
+# Packages, by `cpack` in the build folder, or the target `package`:
+#   .tar.gz   all that is installed; works from any folder, with the VTK or ParaView it was built with
+#   .deb      where dpkg-dev and file are installed, whatever CMAKE_INSTALL_PREFIX is:
+#     VTK build       libanisotropic-remeshing0, libanisotropic-remeshing-dev,
+#                     python3-anisotropic-remeshing, anisotropic-remeshing-tools
+#     ParaView build  paraview-anisotropic-remeshing (without a Python package: that is for VTK's)
+# What is Debian's alone is done on the way, by Debian/stage.cmake. See also make-packages.sh.
 set(CPACK_PACKAGE_NAME "anisotropic-remeshing")
+set(CPACK_PACKAGE_VENDOR "The AnisotropicRemeshing authors")
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
-set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+# --- .tar.gz --------------------------------------------------------------------------------------
+set(CPACK_GENERATOR TGZ)
+set(system "${CMAKE_SYSTEM_NAME}")
+if (EXISTS "/etc/os-release")
+  foreach (key IN ITEMS ID VERSION_CODENAME)
+    file(STRINGS "/etc/os-release" line REGEX "^${key}=")
+    string(REGEX REPLACE "^${key}=\"?([^\"]*)\"?$" "\\1" ${key} "${line}")
+  endforeach ()
+  set(system "${ID}-${VERSION_CODENAME}")
+endif ()
+set(built_for "vtk${VTK_VERSION}")
+if (ANISOTROPIC_REMESHING_BUILD_PARAVIEW_PLUGIN)
+  set(built_for "paraview${ParaView_VERSION}")
+endif ()
+set(CPACK_PACKAGE_FILE_NAME
+  "${CPACK_PACKAGE_NAME}-${PROJECT_VERSION}-${built_for}-${system}-${CMAKE_SYSTEM_PROCESSOR}")
+
+# --- .deb -----------------------------------------------------------------------------------------
+find_program(ANISOTROPIC_REMESHING_SHLIBDEPS dpkg-shlibdeps)
+find_program(ANISOTROPIC_REMESHING_FILE file)
+mark_as_advanced(ANISOTROPIC_REMESHING_SHLIBDEPS ANISOTROPIC_REMESHING_FILE)
+if (ANISOTROPIC_REMESHING_SHLIBDEPS AND ANISOTROPIC_REMESHING_FILE)
+  list(APPEND CPACK_GENERATOR DEB)
+else ()
+  message(STATUS "cpack makes .tar.gz alone: .deb files take dpkg-dev and file")
+endif ()
+set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 # As Debian's own tools have it; else an address that is an example.
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER
-  "The AnisotropicRemeshing authors <anisotropic-remeshing@example.org>")
+  "${CPACK_PACKAGE_VENDOR} <anisotropic-remeshing@example.org>")
 if (DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
   set(CPACK_DEBIAN_PACKAGE_MAINTAINER "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 endif ()
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${library_destination}")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/Debian/stage.cmake")
+set(CPACK_ANISOTROPIC_REMESHING_MANDIR "${CMAKE_INSTALL_MANDIR}")
 
-# add_documentation(<component> <package>): what each package has in /usr/share/doc.
-function (add_documentation component package)
-  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
-    DESTINATION "share/doc/${package}" RENAME copyright COMPONENT "${component}")
-  install(FILES "${package_folder}/changelog.gz"
-    DESTINATION "share/doc/${package}" COMPONENT "${component}")
-endfunction ()
-
-# compress(<from> <to>): without name and time, so that the same text gives the same bytes.
-function (compress from to)
-  execute_process(COMMAND gzip -9nc "${from}" OUTPUT_FILE "${to}" RESULT_VARIABLE result)
-  if (NOT result EQUAL 0)
-    message(FATAL_ERROR "gzip failed on ${from}")
-  endif ()
-endfunction ()
-
-string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
-file(WRITE "${package_folder}/changelog"
-  "anisotropic-remeshing (${PROJECT_VERSION}) unstable; urgency=low\n\n"
-  "  * Built from the project's sources.\n\n"
-  " -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${date}\n")
-compress("${package_folder}/changelog" "${package_folder}/changelog.gz")
-
+# No CPACK_PACKAGE_DESCRIPTION_SUMMARY: that would come before each package's own.
 set(summary "anisotropic surface remeshing by Voronoi tessellation")
 string(JOIN "\n" story
   "Remeshes a surface with a given number of points, adapted to its"
   "curvature: triangles become long along flat directions and small where"
   "the surface bends.")
 
-if (ANISOTROPIC_REMESHING_BUILD_PARAVIEW_PLUGIN)
-  # ParaView loads the plugins of the files that paraview.conf beside its programs names.
-  file(WRITE "${package_folder}/paraview.conf"
-    "../${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/anisotropic-remeshing.plugins.xml\n")
-  install(FILES "${package_folder}/paraview.conf"
-    DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT plugin)
-  set(CPACK_COMPONENTS_ALL runtime paraview_plugins plugin)
-  set(CPACK_DEB_COMPONENT_INSTALL ON)
-  set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
-  add_documentation(plugin paraview-anisotropic-remeshing)
+# debian_package(<component> <name> <section> <summary's end> <last sentence>)
+function (debian_package component name section kind sentence)
+  string(TOUPPER "${component}" upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME "${name}" PARENT_SCOPE)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION "${section}" PARENT_SCOPE)
+  set(CPACK_DEBIAN_${upper}_DESCRIPTION "${summary} (${kind})\n${story}\n${sentence}" PARENT_SCOPE)
+endfunction ()
 
+if (ANISOTROPIC_REMESHING_BUILD_PARAVIEW_PLUGIN)
   string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" series "${ParaView_VERSION}")
   math(EXPR next "${CMAKE_MATCH_2} + 1")
-  set(CPACK_DEBIAN_PACKAGE_NAME paraview-anisotropic-remeshing)
-  set(CPACK_DEBIAN_PACKAGE_SECTION science)
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${series}), paraview (<< ${CMAKE_MATCH_1}.${next}~)")
-  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${summary} (ParaView plugin)")
-  set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-    "${story}\nThe plugin for ParaView ${series}, which loads it when it starts.")
-  # Beside the plugin.
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${library_destination}")
-else ()
-  compress("${PROJECT_SOURCE_DIR}/Examples/Cxx/remesh_surface.1"
-    "${package_folder}/remesh_surface.1.gz")
-  install(FILES "${package_folder}/remesh_surface.1.gz"
-    DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tools)
-  add_documentation(runtime libanisotropic-remeshing0)
-  add_documentation(development libanisotropic-remeshing-dev)
-  add_documentation(python python3-anisotropic-remeshing)
-  add_documentation(tools anisotropic-remeshing-tools)
-
-  set(CPACK_COMPONENTS_ALL runtime development python tools)
-  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_COMPONENTS_ALL runtime paraview_plugins)
   set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${library_destination}")
+  set(CPACK_COMPONENT_RUNTIME_GROUP plugin)
+  set(CPACK_COMPONENT_PARAVIEW_PLUGINS_GROUP plugin)
+  debian_package(plugin paraview-anisotropic-remeshing science "ParaView plugin"
+    "The plugin for ParaView ${series}, which loads it when it starts.")
+  set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS
+    "paraview (>= ${series}), paraview (<< ${CMAKE_MATCH_1}.${next}~)")
+  # ParaView loads the plugins of the files that paraview.conf beside its programs names.
+  set(CPACK_ANISOTROPIC_REMESHING_PARAVIEW_CONF "${CMAKE_INSTALL_BINDIR}/paraview.conf")
+  set(CPACK_ANISOTROPIC_REMESHING_PLUGINS_FILE
+    "../${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/anisotropic-remeshing.plugins.xml")
+else ()
+  set(CPACK_COMPONENTS_ALL runtime development python tools)
+  set(CPACK_COMPONENTS_GROUPING IGNORE)
   set(library "libanisotropic-remeshing0 (= ${PROJECT_VERSION})")
 
-  set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libanisotropic-remeshing0)
-  set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
-  set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "${summary} (library)\n${story}\nThe library for VTK.")
-  file(WRITE "${package_folder}/shlibs"
+  debian_package(runtime libanisotropic-remeshing0 libs "library" "The library for VTK.")
+  set(control "${CMAKE_BINARY_DIR}/Packages")
+  file(WRITE "${control}/shlibs"
     "libvtkFiltersAnisotropicRemeshing 0 libanisotropic-remeshing0 (>= ${PROJECT_VERSION})\n")
-  file(WRITE "${package_folder}/triggers" "activate-noawait ldconfig\n")
-  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
-    "${package_folder}/shlibs;${package_folder}/triggers")
+  file(WRITE "${control}/triggers" "activate-noawait ldconfig\n")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${control}/shlibs;${control}/triggers")
 
-  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libanisotropic-remeshing-dev)
-  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+  debian_package(development libanisotropic-remeshing-dev libdevel "development"
+    "Headers and the CMake package.")
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library}, libvtk9-dev")
-  set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
-    "${summary} (development)\n${story}\nHeaders and the CMake package.")
 
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-anisotropic-remeshing)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  debian_package(python python3-anisotropic-remeshing python "Python 3" "The package for Python.")
   set(interpreter "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}~)")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "${library}, ${interpreter}, python3-numpy, python3-vtk9")
-  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${summary} (Python 3)\n${story}\nThe package for Python.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
-    "${PROJECT_SOURCE_DIR}/CMake/Debian/postinst;${PROJECT_SOURCE_DIR}/CMake/Debian/prerm")
+    "${CMAKE_CURRENT_LIST_DIR}/Debian/postinst;${CMAKE_CURRENT_LIST_DIR}/Debian/prerm")
+  set(CPACK_ANISOTROPIC_REMESHING_PYTHON_DIR "${python_destination}")
 
-  set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME anisotropic-remeshing-tools)
-  set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
+  debian_package(tools anisotropic-remeshing-tools science "command line"
+    "The program remesh_surface and its manual page.")
   set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library}")
-  set(CPACK_DEBIAN_TOOLS_DESCRIPTION
-    "${summary} (command line)\n${story}\nThe program remesh_surface and its manual page.")
 endif ()
 include(CPack)

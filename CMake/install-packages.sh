@@ -2,19 +2,24 @@
 # install-packages.sh [vtk] [paraview]: installs the Debian packages that the VTK build, the
 # ParaView build or (default) both need. Needs root or sudo, and the network, only if one is
 # missing. python3-paraview is not among them: see paraview-prefix.sh.
-# Knows Debian 12 (bookworm), 13 (trixie) and sid, and what Ubuntu made of them.
+# Knows Debian 12 (bookworm), 13 (trixie), 14 (forky) and sid, and Ubuntu from 24.04 (noble) on.
 set -e
 common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev libcli11-dev
-  nlohmann-json3-dev python3 python3-numpy xvfb xauth"
+  nlohmann-json3-dev python3 python3-numpy xvfb xauth dpkg-dev file"
 vtk="libvtk9-dev python3-vtk9"
-paraview="paraview paraview-dev dpkg-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
+paraview="paraview paraview-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
   libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev openbox"
 
 # The Qt of ParaView's window: 5 until ParaView 5.11, then 6.
 release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
 case $release in
-  bookworm | noble) paraview="$paraview qtbase5-dev qhelpgenerator-qt5 libqt5svg5" ;;
-  *) paraview="$paraview qt6-base-dev qt6-documentation-tools qt6-svg-plugins" ;;
+  bookworm | noble) qt=5 ;;
+  trixie | forky | sid | plucky | questing | resolute) qt=6 ;;
+  *) qt=6; echo "install-packages.sh: not tried on $release; taking what Debian 13 has" >&2 ;;
+esac
+case $qt in
+  5) paraview="$paraview qtbase5-dev qhelpgenerator-qt5 libqt5svg5" ;;
+  6) paraview="$paraview qt6-base-dev qt6-documentation-tools qt6-svg-plugins" ;;
 esac
 
 wanted=$common

@@ -1,11 +1,11 @@
 #!/bin/sh
-# make-packages.sh [vtk] [paraview]: builds Debian packages into build-packages/; default both.
+# make-packages.sh [vtk] [paraview]: builds packages into build-packages/; default both.
 #   vtk       libanisotropic-remeshing0, libanisotropic-remeshing-dev,
 #             python3-anisotropic-remeshing, anisotropic-remeshing-tools
 #   paraview  paraview-anisotropic-remeshing, the plugin for the installed ParaView
-# Installs what building needs (see install-packages.sh). Then, as root:
+# and a .tar.gz of each build. Installs what building needs (see install-packages.sh). Then, as root:
 #   apt install ./build-packages/*.deb
-# The ParaView build has no Python package: that one is for VTK's own Python.
+# In a build folder of your own, `cpack` makes the same packages.
 set -e
 cd "$(dirname "$0")/.."
 [ $# -gt 0 ] || set -- vtk paraview
@@ -27,13 +27,13 @@ for build; do
     options="-DCMAKE_PREFIX_PATH=$(pwd)/$folder/prefix -DANISOTROPIC_REMESHING_WRAP_PYTHON=OFF
       -DANISOTROPIC_REMESHING_BUILD_PARAVIEW_PLUGIN=ON -DANISOTROPIC_REMESHING_BUILD_EXAMPLES=OFF"
   fi
+  # With /usr, libraries go to the folder of the machine's kind, as Debian's own.
   # shellcheck disable=SC2086 # a list of words
   cmake -G Ninja -S . -B "$folder" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
-    -DBUILD_TESTING=OFF -DCMAKE_SKIP_INSTALL_RPATH="$([ "$build" = vtk ] && echo ON || echo OFF)" \
-    -DANISOTROPIC_REMESHING_DEBIAN_PACKAGES=ON $options
+    -DBUILD_TESTING=OFF $options
   cmake --build "$folder" --parallel "$(nproc)"
-  rm -f "$folder"/*.deb
+  rm -f "$folder"/*.deb "$folder"/*.tar.gz
   (cd "$folder" && cpack)
-  mv "$folder"/*.deb build-packages/
+  mv "$folder"/*.deb "$folder"/*.tar.gz build-packages/
 done
-ls -1 build-packages/*.deb
+ls -1 build-packages/*

@@ -26,4 +26,10 @@ run("${consumer}/consumer")
 if (python)
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${python_destination}"
     "${python}" "${CMAKE_CURRENT_LIST_DIR}/check_import.py" "${prefix}")
+  # As Debian's Python looks below /usr/local.
+  if (EXISTS "/etc/debian_version" AND python STREQUAL "/usr/bin/python3")
+    file(GLOB site "${prefix}/lib/python3.*/dist-packages")
+    run("${CMAKE_COMMAND}" -E env --unset=PYTHONPATH "${python}" -c
+      "import site; site.addsitedir('${site}'); import anisotropic_remeshing as package; assert package.__file__.startswith('${prefix}')")
+  endif ()
 endif ()

@@ -30,11 +30,20 @@ public:
   {
     int exponent = 0;
     const double mantissa = std::frexp(std::abs(value), &exponent);
-    m_negative = value < 0.0;
-    m_limbs = { static_cast<std::uint64_t>(std::ldexp(mantissa, 53)) };
-    this->trim();
+    auto limb = static_cast<std::uint64_t>(std::ldexp(mantissa, 53));
     exponent += shift - 53;
-    *this = exponent >= 0 ? this->shifted(exponent) : this->cutShort(-exponent);
+    if (exponent < 0) // what falls off must be zeros
+    {
+      limb = exponent > -64 ? limb >> -exponent : 0;
+      exponent = 0;
+    }
+    const auto first = static_cast<std::size_t>(exponent / 64);
+    const int bits = exponent % 64;
+    m_negative = value < 0.0;
+    m_limbs.assign(first + 2, 0);
+    m_limbs[first] = limb << bits;
+    m_limbs[first + 1] = bits > 0 ? limb >> (64 - bits) : 0;
+    this->trim();
   }
 
   static BigInteger powerOfTwo(int exponent) { return BigInteger(1.0, exponent); }
@@ -121,27 +130,6 @@ private:
       const Wide taken = static_cast<Wide>(k < b.m_limbs.size() ? b.m_limbs[k] : 0) + borrow;
       borrow = taken > a.m_limbs[k] ? 1 : 0;
       result.m_limbs[k] = static_cast<std::uint64_t>(a.m_limbs[k] - taken);
-    }
-    result.trim();
-    return result;
-  }
-
-  BigInteger shifted(int bits) const
-  {
-    BigInteger result;
-    result.m_limbs.assign(static_cast<std::size_t>(bits / 64) + 1, 0);
-    result.m_limbs.back() = std::uint64_t(1) << (bits % 64);
-    result = result * *this;
-    return result;
-  }
-
-  /** Over 2^bits, for a single limb; what falls off must be zeros. */
-  BigInteger cutShort(int bits) const
-  {
-    BigInteger result = *this;
-    for (std::uint64_t& limb : result.m_limbs)
-    {
-      limb = bits < 64 ? limb >> bits : 0;
     }
     result.trim();
     return result;

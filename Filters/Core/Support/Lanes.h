@@ -121,8 +121,13 @@ private:
   {
     return Body::run(argument);
   }
-  [[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]] static Result avx512(
-    Argument argument)
+#if defined(__clang__) // knows no such preference
+  [[gnu::target("avx512f,avx512dq,avx512vl")]]
+#else
+  [[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]]
+#endif
+  static Result
+  avx512(Argument argument)
   {
     return Body::run(argument);
   }

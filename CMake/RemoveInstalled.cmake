@@ -1,0 +1,41 @@
+# Removes all that a build folder has installed, what Python compiled of it, and the folders that
+# this leaves empty, but for those that any system has, as bin and lib.
+#   cmake -Drecord=FILE -P RemoveInstalled.cmake
+if (NOT EXISTS "${record}")
+  message(FATAL_ERROR "Nothing is installed from this build folder (there is no ${record})")
+endif ()
+file(STRINGS "${record}" files)
+list(REMOVE_DUPLICATES files)
+
+set(folders)
+foreach (file IN LISTS files)
+  get_filename_component(folder "${file}" DIRECTORY)
+  get_filename_component(name "${file}" NAME_WE)
+  list(APPEND folders "${folder}/__pycache__" "${folder}")
+  set(removed "${file}")
+  if (file MATCHES "\\.py$")
+    file(GLOB compiled "${folder}/__pycache__/${name}.*.pyc")
+    list(APPEND removed ${compiled})
+  endif ()
+  message(STATUS "Removing: ${file}")
+  file(REMOVE ${removed}) # no error where it is gone already
+  if (EXISTS "${file}")
+    message(FATAL_ERROR "${file} cannot be removed")
+  endif ()
+endforeach ()
+
+# Each empty folder, and then the one it is in.
+set(standard "^(bin|include|lib|share|man|man1|python3.*|(dist|site)-packages|.*-linux-gnu.*)$")
+list(REMOVE_DUPLICATES folders)
+foreach (folder IN LISTS folders)
+  while (IS_DIRECTORY "${folder}")
+    get_filename_component(name "${folder}" NAME)
+    file(GLOB entries LIST_DIRECTORIES TRUE "${folder}/*" "${folder}/.*")
+    if (entries OR name MATCHES "${standard}")
+      break ()
+    endif ()
+    file(REMOVE_RECURSE "${folder}")
+    get_filename_component(folder "${folder}" DIRECTORY)
+  endwhile ()
+endforeach ()
+file(REMOVE "${record}")
