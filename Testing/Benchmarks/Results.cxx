@@ -2,10 +2,10 @@
 
 #include "Measure.h"
 
-#include "../../Examples/Cxx/JsonWriter.h"
-
 #include <vtkSMPTools.h>
 #include <vtkVersion.h>
+
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <stdexcept>
@@ -15,6 +15,8 @@ namespace remesh::benchmark
 {
 namespace
 {
+using Json = nlohmann::ordered_json;
+
 /** As Linux names it; "" elsewhere. */
 std::string processorModel()
 {
@@ -30,43 +32,32 @@ std::string processorModel()
   return "";
 }
 
-void addFigures(JsonWriter& json, const Figures& figures, double calibration)
+Json toJson(const Figures& figures, double calibration)
 {
-  json.BeginObject("figures");
+  Json json = Json::object();
   for (const Figure& figure : figures)
   {
-    json.BeginObject(figure.name);
-    json.Add("value", figure.value);
-    json.Add("unit", figure.unit);
+    Json& entry = json[figure.name];
+    entry = { { "value", figure.value }, { "unit", figure.unit } };
     if (figure.unit == "s")
     {
-      json.Add("ratio", figure.value / calibration);
+      entry["ratio"] = figure.value / calibration;
     }
-    json.EndObject();
   }
-  json.EndObject();
+  return json;
 }
 
-void addCase(JsonWriter& json, const CaseResult& result)
+Json toJson(const CaseResult& result)
 {
-  json.BeginObject();
-  json.Add("name", result.name);
-  json.Add("calibration", result.calibration);
-  addFigures(json, result.figures, result.calibration);
-  json.BeginArray("measurements");
-  for (const Measurement& measurement : result.measurements)
+  Json measurements = Json::array();
+  for (const Measurement& one : result.measurements)
   {
-    json.BeginObject();
-    json.Add("surface", measurement.surface);
-    json.Add("triangles", measurement.triangles);
-    json.Add("points", measurement.points);
-    json.Add("dimension", measurement.dimension);
-    json.Add("threads", measurement.threads);
-    addFigures(json, measurement.figures, result.calibration);
-    json.EndObject();
+    measurements.push_back({ { "surface", one.surface }, { "triangles", one.triangles },
+      { "points", one.points }, { "dimension", one.dimension }, { "threads", one.threads },
+      { "figures", toJson(one.figures, result.calibration) } });
   }
-  json.EndArray();
-  json.EndObject();
+  return { { "name", result.name }, { "calibration", result.calibration },
+    { "figures", toJson(result.figures, result.calibration) }, { "measurements", measurements } };
 }
 }
 
@@ -108,39 +99,25 @@ std::string toJson(
   const Settings& settings, const Calibration& calibration, const std::vector<CaseResult>& results)
 {
   std::vector<double> calibrations;
+  Json cases = Json::array();
   for (const CaseResult& result : results)
   {
     calibrations.push_back(result.calibration);
+    cases.push_back(toJson(result));
   }
-  JsonWriter json;
-  json.BeginObject();
-  json.BeginObject("calibration");
-  json.Add("surface", calibration.surface);
-  json.Add("triangles", calibration.triangles);
-  json.Add("points", calibration.points);
-  json.Add("seconds", median(calibrations));
-  json.EndObject();
-  json.BeginObject("machine");
-  json.Add("processor", processorModel());
-  json.Add("threads", static_cast<int>(std::thread::hardware_concurrency()));
-  json.Add("compiler", REMESH_BENCHMARK_COMPILER);
-  json.Add("build_type", REMESH_BENCHMARK_BUILD_TYPE);
-  json.Add("vtk", vtkVersion::GetVTKVersion());
-  json.Add("backend", vtkSMPTools::GetBackend());
-  json.EndObject();
-  json.BeginObject("settings");
-  json.Add("repetitions", settings.repetitions);
-  json.Add("shrink", settings.shrink);
-  json.Add("lloyd_iterations", settings.lloydIterations);
-  json.Add("newton_iterations", settings.newtonIterations);
-  json.EndObject();
-  json.BeginArray("cases");
-  for (const CaseResult& result : results)
-  {
-    addCase(json, result);
-  }
-  json.EndArray();
-  json.EndObject();
-  return json.GetText();
+  const Json json = { { "calibration",
+                        { { "surface", calibration.surface },
+                          { "triangles", calibration.triangles }, { "points", calibration.points },
+                          { "seconds", median(calibrations) } } },
+    { "machine",
+      { { "processor", processorModel() }, { "threads", std::thread::hardware_concurrency() },
+        { "compiler", REMESH_BENCHMARK_COMPILER }, { "build_type", REMESH_BENCHMARK_BUILD_TYPE },
+        { "vtk", vtkVersion::GetVTKVersion() }, { "backend", vtkSMPTools::GetBackend() } } },
+    { "settings",
+      { { "repetitions", settings.repetitions }, { "shrink", settings.shrink },
+        { "lloyd_iterations", settings.lloydIterations },
+        { "newton_iterations", settings.newtonIterations } } },
+    { "cases", cases } };
+  return json.dump(2) + "\n";
 }
 }

@@ -55,6 +55,8 @@ class Playback:
         self.press(PROPERTIES + "/Accept")
 
     def filter(self, name):
+        if self.version >= (5, 12):  # whose categories come when the menu opens
+            self.event(MAIN + "/menubar", "activate", "menuFilters")
         self.menu("menuFilters/Surface Remeshing", name)
 
     def click(self, tree, place):
@@ -88,7 +90,9 @@ class Playback:
         dialog = MAIN + "/PluginManagerDialog"
         self.menu("menuTools", "actionManage_Plugins")
         self.press(dialog + "/splitter/localGroup/loadLocal")
-        self.event(dialog + "/pqFileDialog", "filesSelected", plugin)
+        files = "/pqFileDialog" if self.version < (5, 12) else (
+            "/1pqFileDialog0/tabWidget/qt_tabwidget_stackedwidget/pqFileDialog")
+        self.event(dialog + files, "filesSelected", plugin)
         self.press(dialog + "/buttonBox/1QPushButton0")
 
     def open(self, file):
@@ -259,7 +263,8 @@ class Judge:
         self.equal(name + ", visible outputs", seen, sorted(expected))
         self.equal(name + ", views", [view["type"] for view in state["views"].values()],
                    ["RenderView"])
-        self.equal(name + ", active view", state["active_view"], "RenderView")
+        if name != "loaded" or state["active_view"]:  # ParaView 5.13 leaves none active then
+            self.equal(name + ", active view", state["active_view"], "RenderView")
 
 
 # Places in trees of the pipeline, by rows.
@@ -289,7 +294,8 @@ def play_remesher(steps):
     steps.state("redone", [REMESHER])
     steps.save_state("window.pvsm")
     steps.menu("menu_Edit", "actionDelete_All")
-    steps.press(MAIN + "/CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")
+    if steps.version < (5, 12):  # later ones do not ask
+        steps.press(MAIN + "/CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")
     steps.load_state("window.pvsm")
     steps.state("loaded", [REMESHER])
     steps.select(MESH + "/0:0")
