@@ -113,4 +113,5 @@ else ()
     "The program remesh_surface and its manual page.")
   set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library}")
 endif ()
+set(package_generators "${CPACK_GENERATOR}") # CPack leaves those of sources behind
 include(CPack)

@@ -11,7 +11,6 @@
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 #include "vtkTrivialProducer.h"
 
@@ -148,7 +147,7 @@ struct PointOrder
     };
     std::vector<vtkIdType> sorted(this->numbers.size());
     std::iota(sorted.begin(), sorted.end(), 0);
-    vtkSMPTools::Sort(
+    std::sort(
       sorted.begin(), sorted.end(), [&](vtkIdType a, vtkIdType b) { return order(a, b) < 0; });
     vtkIdType last = -1;
     for (const vtkIdType id : sorted)
@@ -208,7 +207,7 @@ public:
   {
     std::vector<vtkIdType> sorted(this->Begins.size() - 1);
     std::iota(sorted.begin(), sorted.end(), 0);
-    vtkSMPTools::Sort(sorted.begin(), sorted.end(),
+    std::sort(sorted.begin(), sorted.end(),
       [&](vtkIdType a, vtkIdType b)
       {
         const int byPoints = this->ComparePoints(a, b);

@@ -7,6 +7,7 @@ Without the folder the test is skipped (status 125).
 import os
 import sys
 
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkIOPLY import vtkPLYReader
 
@@ -46,7 +47,12 @@ def remeshed(path, points, anisotropy, flat=1.0):
     remesher.SetNumberOfPoints(points)
     remesher.SetAnisotropy(anisotropy)
     if flat < 1.0:
-        flat_parts.add_density(reader.GetOutput(), flat)
+        surface = reader.GetOutput()
+        triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+        density = numpy_to_vtk(flat_parts.density_of(places, triangles, flat), deep=True)
+        density.SetName("Density")
+        surface.GetPointData().AddArray(density)
         remesher.SetDensityArray("Density")
     remesher.Update()
     return reader.GetOutput(), remesher.GetOutput()
