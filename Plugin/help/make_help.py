@@ -23,7 +23,8 @@ GUARANTEES, LIMITS, REFERENCE = "What is guaranteed", "Limits", "Reference"
 TITLES = (USE, INPUT, OUTPUTS, GUARANTEES, LIMITS, REFERENCE)
 # What a base class says without a title belongs there.
 UNTITLED = {"vtkEmbeddedSurfaceAlgorithm": INPUT, "vtkRestrictedVoronoiAlgorithm": OUTPUTS}
-# Sentences for those who call C++, which a page leaves out.
+# Sections and sentences for those who call C++, which a page leaves out.
+SECTIONS_FOR_PROGRAMMERS = ("Aborting",)
 FOR_PROGRAMMERS = re.compile(r"^(nullptr|Input array to process|Setters )")
 # VTK's classes in the words of the window.
 KINDS = {"vtkPolyData": "polygonal data", "vtkTable": "table"}
@@ -258,6 +259,8 @@ def page_of(owner, chain, filters):
     sections = {title: "" for title in TITLES}
     for one in chain:
         for title, blocks in one.sections.items():
+            if title in SECTIONS_FOR_PROGRAMMERS:
+                continue
             title = title or UNTITLED.get(one.name, "")
             if title and title not in sections:
                 raise ValueError(f"{one.name}: the help pages have no section {title!r}")
