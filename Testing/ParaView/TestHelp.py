@@ -115,6 +115,7 @@ def check_properties(name, proxy, page):
                 inputs.add(prop.get("name") if prop.tag == "InputProperty" else "")
     for class_name, header in headers_of(proxy.get("class")):
         public = header[header.index("public:"):header.index("protected:")]
+        public = re.sub("#ifndef __VTK_WRAP__.*?#endif", "", public, flags=re.S)  # for C++ alone
         for macro, method in SETTER.findall(public):
             setter = method or "Set" + macro
             as_input = INPUT_SETTER.match(setter)
