@@ -1,4 +1,4 @@
-"""Runs the code of README and guide, and looks whether the guide names all that the code has.
+"""Runs the code of all documents, and looks whether the guide names all that the code has.
 
     TestSnippets.py --source FOLDER --build FOLDER --work FOLDER [--no-cxx] [--cmake FILE]
                     [unittest options]
@@ -137,7 +137,7 @@ class TestSnippets(unittest.TestCase):
             os.environ, PATH=os.pathsep.join([str(cls.folder / "bin"), str(OPTIONS.build / "bin"),
                                               os.environ["PATH"]]),
             CMAKE_PREFIX_PATH=str(cls.folder / "prefix"))
-        cls.sources = [OPTIONS.source / "README.md",
+        cls.sources = [OPTIONS.source / "README.md", OPTIONS.source / "CONTRIBUTING.md",
                        *sorted((OPTIONS.source / "Documentation").glob("*.md"))]
 
     def scratch(self, path, number):
