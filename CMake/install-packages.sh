@@ -5,7 +5,7 @@
 # Knows Debian 12 (bookworm), 13 (trixie), 14 (forky) and sid, and Ubuntu from 24.04 (noble) on.
 set -e
 common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev libcli11-dev
-  nlohmann-json3-dev python3 python3-numpy xvfb xauth dpkg-dev file"
+  nlohmann-json3-dev python3 python3-numpy xvfb xauth dpkg-dev file doxygen"
 vtk="libvtk9-dev python3-vtk9"
 paraview="paraview paraview-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
   libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev openbox"

@@ -7,15 +7,23 @@
 #include "Adaptors/SurfaceIntake.h"
 #include "Remesh.h"
 
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkAnisotropicRemesher);
 
-vtkAnisotropicRemesher::vtkAnisotropicRemesher() = default;
+vtkAnisotropicRemesher::vtkAnisotropicRemesher()
+{
+  this->SetSeamArray(nullptr);
+}
+
 vtkAnisotropicRemesher::~vtkAnisotropicRemesher() = default;
 
 int vtkAnisotropicRemesher::FillInputPortInformation(int port, vtkInformation* info)
@@ -40,6 +48,18 @@ void vtkAnisotropicRemesher::SetInitialSitesData(vtkDataObject* sites)
 void vtkAnisotropicRemesher::SetFeatureLabelArray(const char* name)
 {
   this->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
+}
+
+void vtkAnisotropicRemesher::SetSeamArray(const char* name)
+{
+  const bool isAutomatic = !name || !*name || name == std::string("Automatic");
+  if (isAutomatic)
+  {
+    this->SetInputArrayToProcess(
+      4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::TCOORDS);
+    return;
+  }
+  this->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
 }
 
 remesh::Status vtkAnisotropicRemesher::CheckParameters()

@@ -172,6 +172,21 @@ public:
    */
   void SetFeatureLabelArray(const char* name);
 
+  /**
+   * A point array that may jump where points of the surface coincide, as texture coordinates do.
+   * Where it does, it has a seam: a feature, too, along which the output has a point for each side,
+   * with that side's values. Input array to process 4. nullptr, "" or "Automatic" (default): the
+   * active texture coordinates, if there are some. "None": none. Any number of components; values
+   * that differ by no more than 1e-4 of the array's range (or 10 times MergeTolerance) are the
+   * same. One that the input lacks is an error when the filter runs.
+   *
+   * Field data tell of the mesh as if each such point were one; what a cell has (`CellArea` and so
+   * on) is divided evenly among the points of its vertex. Where the points along all seams would be
+   * more than a third of those asked for, no seam is kept. Arrays whose jumps are not kept are
+   * interpolated across, with a warning.
+   */
+  void SetSeamArray(const char* name);
+
   enum ExtraPoints
   {
     ONE_PERCENT = -2,

@@ -174,6 +174,21 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   {
     return status;
   }
+  vtkInformation* seams = self->GetInputArrayInformation(4);
+  if (remesh::isPointAttribute(seams, vtkDataSetAttributes::TCOORDS))
+  {
+    request.seams = input->GetPointData()->GetTCoords(); // taken if it is there
+  }
+  else if (remesh::isChosenByName(seams) &&
+    seams->Get(vtkDataObject::FIELD_NAME()) == std::string("None"))
+  {
+    request.tellsJumps = false;
+  }
+  else if (remesh::Status status = remesh::findPointArray(seams, input, "seams", request.seams);
+           !status.ok())
+  {
+    return status;
+  }
   for (const auto& [name, scale] : self->Internals->CoordinateArrays)
   {
     vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());

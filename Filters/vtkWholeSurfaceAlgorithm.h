@@ -27,7 +27,8 @@
  * - sites are each in one block, the one with the largest part of its cell; lines along a border of
  *   blocks are in both; `SiteId` and `PatchId` number those of the whole, and `InputCellId` is the
  *   cell's id in the input's block;
- * - sums (`CellArea` and so on) and facts in the field data are those of the whole; facts are in
+ * - what a cell has (`CellArea` and so on) is that of the whole cell, divided evenly among the points
+ *   of its vertex in all blocks; facts in the field data are those of the whole, too; they are in
  *   the field data of each block and of the composite data set.
  *
  * Sites, too, may be composite, of any vtkPointSet: they are numbered block by block.

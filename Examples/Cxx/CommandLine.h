@@ -32,6 +32,7 @@ struct Options
   bool PreserveFeatures = true;
   double FeatureAngle = 35.0;  // degrees
   std::string Labels;          // cell array; "": none
+  std::string Seams;           // point array; "": the texture coordinates; "none"
   std::string Density;         // point array; "": none
   int MaximumExtraPoints = -2; // one percent of the points; -1: unlimited
   int LloydIterations = 5;

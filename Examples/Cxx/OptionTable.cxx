@@ -187,6 +187,10 @@ void OptionTable::AddRemeshing()
   this->Add("--labels", "ARRAY",
     "Also keep the edges between different values of this cell array, but for --no-features.",
     Text(&Options::Labels));
+  this->Add("--seams", "ARRAY",
+    "Also keep the edges across which this point array jumps, with a point for each side; 'none': "
+    "no such. Default: the texture coordinates. Not with --no-features.",
+    Text(&Options::Seams));
   this->Add("--density", "ARRAY",
     "Point array of numbers above 0: the spacing of the points follows its power of -1/4.",
     Text(&Options::Density));

@@ -67,6 +67,10 @@ void CheckArrays(vtkPolyData* surface, const Options& options)
   {
     CheckArray(surface, options.Density, false);
   }
+  if (!options.Seams.empty() && options.Seams != "none")
+  {
+    CheckArray(surface, options.Seams, false);
+  }
   if (!options.Labels.empty() &&
     surface->GetCellData()->GetAbstractArray(options.Labels.c_str()) == nullptr)
   {
@@ -109,6 +113,10 @@ void SetRemeshing(vtkAnisotropicRemesher* remesher, const Options& options)
   if (!options.Labels.empty())
   {
     remesher->SetFeatureLabelArray(options.Labels.c_str());
+  }
+  if (!options.Seams.empty())
+  {
+    remesher->SetSeamArray(options.Seams == "none" ? "None" : options.Seams.c_str());
   }
   if (!options.Density.empty())
   {

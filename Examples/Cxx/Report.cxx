@@ -36,7 +36,7 @@ Json ParametersOf(const Options& options)
   return { { "points", options.NumberOfPoints }, { "tolerance", options.Tolerance },
     { "max_points", options.MaximumPoints }, { "anisotropy", options.Anisotropy },
     { "features", options.PreserveFeatures }, { "feature_angle", options.FeatureAngle },
-    { "labels", options.Labels }, { "density", options.Density },
+    { "labels", options.Labels }, { "seams", options.Seams }, { "density", options.Density },
     { "max_extra_points", options.MaximumExtraPoints }, { "lloyd", options.LloydIterations },
     { "newton", options.NewtonIterations }, { "seed", options.Seed },
     { "sampling", options.Sampling }, { "placement", options.Placement },

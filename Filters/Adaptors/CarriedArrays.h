@@ -49,6 +49,9 @@ struct OwnArrays
   std::vector<vtkAbstractArray*> replaced;
 };
 
+/** Whether the means of an array's values mean something: measures and colours, but not labels. */
+bool hasMeans(vtkAbstractArray* array);
+
 /** An array like another one, with room for so many tuples. */
 vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* source, Offset tuples);
 

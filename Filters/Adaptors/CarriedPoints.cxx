@@ -103,15 +103,6 @@ struct Interpolate
   }
 };
 
-/** Whether the means of an array's values mean something: measures and colours, but not labels. */
-bool hasMeans(vtkAbstractArray* array)
-{
-  const int components = array->GetNumberOfComponents();
-  const bool isColor =
-    vtkUnsignedCharArray::SafeDownCast(array) != nullptr && (components == 3 || components == 4);
-  return isColor || array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-}
-
 /** The interpolated values of an array; false if this kind of array has none. */
 bool interpolateArray(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
   const CarriedArray& array)
@@ -133,6 +124,14 @@ bool interpolateArray(const DiagramSource& source, const std::vector<SurfaceLoca
   }
   return true;
 }
+}
+
+bool hasMeans(vtkAbstractArray* array)
+{
+  const int components = array->GetNumberOfComponents();
+  const bool isColor =
+    vtkUnsignedCharArray::SafeDownCast(array) != nullptr && (components == 3 || components == 4);
+  return isColor || array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
 
 void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLocation>& places,

@@ -7,7 +7,7 @@
 #ifndef remesh_MeshBlocks_h
 #define remesh_MeshBlocks_h
 
-#include "Adaptors/DiagramOutput.h"
+#include "Adaptors/MeshPoints.h"
 
 namespace remesh
 {
@@ -15,13 +15,10 @@ namespace remesh
 const int* blocksOfCells(vtkPolyData* input);
 
 /** The mesh, with a point for each block that a vertex is in. */
-struct MeshBlocks
+struct MeshBlocks : MeshPoints
 {
-  std::vector<Index> vertices;            ///< P: those of the mesh, then copies
-  std::vector<SurfaceLocation> locations; ///< P, each on the point's block
-  std::vector<int> pointBlocks;           ///< P
-  std::vector<Triple> triangles;          ///< T, as in the mesh, of points
-  std::vector<int> triangleBlocks;        ///< T
+  std::vector<int> pointBlocks;    ///< P; each point's location is on its block
+  std::vector<int> triangleBlocks; ///< T
 };
 
 /**

@@ -2,6 +2,7 @@
 #include "Adaptors/BlockNames.h"
 #include "Adaptors/CarriedArrays.h"
 #include "Adaptors/MeshBlocks.h"
+#include "Adaptors/SeamPoints.h"
 #include "Mesh/FacetGeometry.h"
 
 #include "vtkCellData.h"
@@ -9,6 +10,7 @@
 #include "vtkPointData.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace remesh
 {
@@ -38,18 +40,54 @@ void addNormals(const DiagramSource& source, const std::vector<SurfaceLocation>&
     });
 }
 
-/** @param vertexOf the vertex of the mesh that a point is. */
-template <class VertexOf>
-void addSiteArrays(const DiagramSource& source, const VertexOf& vertexOf, const Columns& columns)
+/** The vertex of the mesh that a point is, and how many points that vertex has. */
+class PointVertices
+{
+public:
+  /** @param vertices of the points; empty: each vertex is a point. */
+  PointVertices(const std::vector<Index>& vertices, Index numberOfVertices)
+    : Vertices(vertices)
+  {
+    this->Counts.resize(vertices.empty() ? 0 : static_cast<std::size_t>(numberOfVertices), 0);
+    for (const Index vertex : vertices)
+    {
+      ++this->Counts[vertex];
+    }
+  }
+
+  Offset operator()(Offset point) const
+  {
+    return this->Vertices.empty() ? point : Offset(this->Vertices[point]);
+  }
+  double numberOfPoints(Offset vertex) const
+  {
+    return this->Counts.empty() ? 1.0 : static_cast<double>(this->Counts[vertex]);
+  }
+
+private:
+  const std::vector<Index>& Vertices;
+  std::vector<Index> Counts;
+};
+
+void addSiteArrays(
+  const DiagramSource& source, const PointVertices& vertexOf, const Columns& columns)
 {
   const Components& components = source.result.components;
+  // What a cell has is divided evenly among its points, so that sums stay the whole's.
   const auto add = [&](const char* name, const auto& value)
-  { columns.add<vtkDoubleArray>(name, [&](Offset k) { return value(vertexOf(k)); }); };
+  {
+    columns.add<vtkDoubleArray>(name,
+      [&](Offset k)
+      {
+        const Offset vertex = vertexOf(k);
+        return value(vertex) / vertexOf.numberOfPoints(vertex);
+      });
+  };
   columns.add<vtkIdTypeArray>("SiteId", [&](Offset k) { return components.sites[vertexOf(k)]; });
   columns.add<vtkIdTypeArray>(
     "ComponentId", [&](Offset k) { return components.ranks[vertexOf(k)]; });
-  columns.add<vtkIntArray>("CellColor",
-    [&](Offset k) { return source.result.cellColors[components.sites[vertexOf(k)]]; });
+  columns.add<vtkIntArray>(
+    "CellColor", [&](Offset k) { return source.result.cellColors[components.sites[vertexOf(k)]]; });
   add("CellArea", [&](Offset v) { return components.area[v]; });
   add("CellMass", [&](Offset v) { return source.componentMass()[v] * source.massUnit(); });
   add("CellEnergy", [&](Offset v) { return source.componentEnergy()[v] * source.energyUnit(); });
@@ -69,7 +107,7 @@ void addSiteArrays(const DiagramSource& source, const VertexOf& vertexOf, const 
 /** What tells the blocks apart, where there are some. */
 void addBlocks(const MeshBlocks& blocks, vtkPolyData* output, const RunControl& control)
 {
-  if (!blocks.vertices.empty())
+  if (!blocks.pointBlocks.empty())
   {
     const Columns points{ output->GetPointData(), output->GetNumberOfPoints(), control };
     points.add<vtkIntArray>(blockName, [&](Offset k) { return blocks.pointBlocks[k]; });
@@ -115,17 +153,36 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
     columns.add<vtkDoubleArray>("RMSDistance", [&](Offset) { return distance->rms(); });
   }
 }
+
+/** The points, where they are not just the vertices. */
+MeshBlocks findPoints(const DiagramSource& source)
+{
+  MeshBlocks mesh = source.cellBlocks ? findMeshBlocks(source) : MeshBlocks();
+  if (source.prepared.charts.empty())
+  {
+    return mesh;
+  }
+  if (!source.cellBlocks)
+  {
+    mesh.triangles = source.result.dual.triangles;
+    mesh.locations = source.result.locations;
+    mesh.vertices.resize(mesh.locations.size());
+    std::iota(mesh.vertices.begin(), mesh.vertices.end(), 0);
+  }
+  splitAlongSeams(source, mesh);
+  return mesh;
+}
 }
 
 void writeSurface(
   const DiagramSource& source, vtkPolyData* output, std::vector<std::string>& warnings)
 {
   const auto& positions = source.result.placement.positions;
-  const MeshBlocks blocks = source.cellBlocks ? findMeshBlocks(source) : MeshBlocks();
-  const bool hasBlocks = source.cellBlocks != nullptr;
-  const auto& triangles = hasBlocks ? blocks.triangles : source.result.dual.triangles;
-  const auto& locations = hasBlocks ? blocks.locations : source.result.locations;
-  const auto vertexOf = [&](Offset k) { return hasBlocks ? Offset(blocks.vertices[k]) : k; };
+  const MeshBlocks blocks = findPoints(source);
+  const bool isSplit = !blocks.vertices.empty();
+  const auto& triangles = isSplit ? blocks.triangles : source.result.dual.triangles;
+  const auto& locations = isSplit ? blocks.locations : source.result.locations;
+  const PointVertices vertexOf(blocks.vertices, source.result.components.count());
   const auto count = static_cast<Offset>(locations.size());
   output->SetPoints(makePoints(
     count, [&](Offset k) -> const Point3& { return positions[vertexOf(k)]; }, source.control));

@@ -2,6 +2,7 @@
 
 #include "Adaptors/CornerArrays.h"
 #include "Adaptors/FacetLabels.h"
+#include "Adaptors/SeamCharts.h"
 #include "Adaptors/SurfaceIntake.h"
 #include "Embedding/Wrinkles.h"
 #include "Features/FeatureGraph.h"
@@ -81,6 +82,7 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
   {
     return Status::cancelled();
   }
+  prepared.charts = std::move(options.cornerCharts);
   prepared.droppedCreases = features.droppedEdges;
   if (features.any() || features.numberOfPatches > 1)
   {
@@ -297,6 +299,7 @@ Status readFeatureOptions(vtkPolyData* input, const PreparationRequest& request,
     }
   }
   addRegions(mesh, input, options.facetLabels);
+  options.cornerCharts = findKeptSeams(mesh, request, RunControl());
   return Status::success();
 }
 
@@ -323,6 +326,7 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   {
     return status;
   }
+  tellJumps(input, request, progress, prepared);
   progress.enterPhase("Embedding", 0.7, 1.0);
   bool estimated = false;
   Status status = findNormals(input, request, progress.step(0, 3), prepared, estimated);

@@ -42,6 +42,8 @@ struct PreparationRequest
   bool preserveFeatures = false;
   double featureAngle = 35.0;         ///< degrees
   vtkAbstractArray* labels = nullptr; ///< of the cells: features where it changes; nullptr: none
+  vtkDataArray* seams = nullptr; ///< of the points: features where its values jump; nullptr: none
+  bool tellsJumps = true; ///< whether arrays that jump, and whose seams are not kept, are told
 
   /**
    * Whether arrays may be read in place where the embedding has many dimensions, instead of being
@@ -64,7 +66,8 @@ struct PreparedSurface
   EmbeddedSurface surface;
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
   std::optional<Features> features;
-  Index droppedCreases = 0; ///< that are too small for the sites, sides of needles, and steps
+  std::vector<Triple> charts; ///< F x 3, see FeatureOptions; empty: there are no seams among them
+  Index droppedCreases = 0;   ///< that are too small for the sites, sides of needles, and steps
   std::vector<vtkAbstractArray*> usedArrays; ///< those given as normals or embedding
   std::vector<std::string> warnings;
 };

@@ -65,6 +65,7 @@ def remesh(
     maximum_points: int = 1000000,
     feature_angle: float = 35.0,
     feature_labels: Any = None,
+    seams: Any = "automatic",
     maximum_extra_points: Union[None, int, float] = None,
     vertex_placement: str = "fit",
     # how the surface is embedded
@@ -126,6 +127,9 @@ def remesh(
         Edges that are sharper are creases, default 35.
     feature_labels : str or (m,) numbers, optional
         A label for each cell, or the cell array's name: between labels are features, too.
+    seams : str, (n, k) numbers or None, optional
+        A point array that jumps where points coincide: along its jumps are edges, with a point for
+        each side. Default: the active texture coordinates; None: no such edges.
     maximum_extra_points : int, None or math.inf
         By how many points the mesh may exceed `points` where its topology needs them. None
         (default): one percent; 0 forbids.
@@ -198,7 +202,7 @@ def remesh(
     arguments = dict(locals())
     taken = Input(arguments.pop("surface"))
     remesher = vtkAnisotropicRemesher()
-    arrays = ("normals", "embedding", "coordinates", "density", "feature_labels")
+    arrays = ("normals", "embedding", "coordinates", "density", "feature_labels", "seams")
     choose_arrays(remesher, taken, {name: arguments.pop(name) for name in arrays})
     for name in ("progress", "initial_sites"):
         del arguments[name]

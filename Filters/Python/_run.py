@@ -112,6 +112,11 @@ def choose_arrays(algorithm: Any, surface: Input, arrays: Mapping[str, Any]) -> 
     if labels is not None:
         name = surface.array("feature_labels", labels, "Given labels", of_cells=True)
         algorithm.SetFeatureLabelArray(name)
+    seams = arrays.get("seams", "automatic")
+    if seams is None:
+        algorithm.SetSeamArray("None")
+    elif not (isinstance(seams, str) and seams == "automatic"):
+        algorithm.SetSeamArray(surface.array("seams", seams, "Given seams"))
 
 
 def _pairs(coordinates: Any) -> Sequence[Tuple[Any, float]]:

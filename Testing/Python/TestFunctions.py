@@ -265,7 +265,8 @@ class TestArguments(unittest.TestCase):
         """Each property of the filters is an argument, with the same default."""
         special = {
             "SetMaximumNumberOfExtraPoints": "maximum_extra_points",
-            "SetFeatureLabelArray": "feature_labels", "SetDensityArray": "density",
+            "SetFeatureLabelArray": "feature_labels", "SetSeamArray": "seams",
+            "SetDensityArray": "density",
             "SetEmbeddingArray": "embedding", "SetInitialSitesData": "initial_sites",
             "SetSitesData": "sites", "SetReferenceData": "surface",
         }

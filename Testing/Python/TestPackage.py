@@ -78,6 +78,7 @@ class TestPackage(unittest.TestCase):
                             text_of("CMakeLists.txt"))[1]
         self.assertEqual(ar.__version__, version)
         self.assertEqual(importlib.metadata.version("anisotropic-remeshing"), version)
+        self.assertIn(f"\nversion: {version}\n", text_of("CITATION.cff"))
 
     @unittest.skipIf(tomllib is None, "no tomllib")
     def test_metadata(self):

@@ -1,4 +1,4 @@
-"""Runs the code of README and guide, and looks whether the guide names all that the code has.
+"""Runs the code of all documents, and looks whether the guide names all that the code has.
 
     TestSnippets.py --source FOLDER --build FOLDER --work FOLDER [--no-cxx] [--cmake FILE]
                     [unittest options]
@@ -101,6 +101,16 @@ def make_inputs(folder):
     labelled.GetCellData().AddArray(array)
     write(vtkXMLPolyDataWriter(), labelled, f"{folder}/labels.vtp")
 
+    # Texture coordinates that jump from 1 to 0, where a tube closes.
+    u, v = numpy.meshgrid(*2 * [numpy.linspace(0.0, 1.0, 33)], indexing="ij")
+    angle = 2 * numpy.pi * (u.ravel() % 1.0)
+    tube = shapes.surface(numpy.stack([numpy.cos(angle), numpy.sin(angle), v.ravel()], axis=1),
+                          shapes.lattice(33, 33))
+    texture = numpy_to_vtk(numpy.stack([u.ravel(), v.ravel()], axis=1), deep=True)
+    texture.SetName("UV")
+    tube.GetPointData().SetTCoords(texture)
+    write(vtkXMLPolyDataWriter(), tube, f"{folder}/textured.vtp")
+
     # A tile of a periodic surface: a wave that goes on at all sides.
     x, y = numpy.meshgrid(*2 * [numpy.linspace(0.0, 1.0, 25)], indexing="ij")
     z = 0.1 * numpy.sin(2 * numpy.pi * x) * numpy.sin(2 * numpy.pi * y)
@@ -127,7 +137,7 @@ class TestSnippets(unittest.TestCase):
             os.environ, PATH=os.pathsep.join([str(cls.folder / "bin"), str(OPTIONS.build / "bin"),
                                               os.environ["PATH"]]),
             CMAKE_PREFIX_PATH=str(cls.folder / "prefix"))
-        cls.sources = [OPTIONS.source / "README.md",
+        cls.sources = [OPTIONS.source / "README.md", OPTIONS.source / "CONTRIBUTING.md",
                        *sorted((OPTIONS.source / "Documentation").glob("*.md"))]
 
     def scratch(self, path, number):

@@ -71,7 +71,8 @@ CreaseGraph makeCreaseGraph(const SurfaceMesh& mesh, const EdgeTable& edges,
   graph.droppable.assign(kinds.size(), 0);
   for (std::size_t e = 0; e < kinds.size(); ++e)
   {
-    graph.droppable[e] = mayBeDropped(edges, options, kinds, static_cast<Index>(e));
+    graph.droppable[e] = kinds[e] == FeatureKind::Crease &&
+      !isGivenFeature(mesh, edges, options, static_cast<Index>(e));
   }
   return graph;
 }

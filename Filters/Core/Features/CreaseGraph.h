@@ -16,7 +16,7 @@ struct CreaseGraph
 {
   const SurfaceMesh& mesh;
   std::vector<std::array<Index, 2>> ends; ///< E, points of each edge, as its first facet has them
-  std::vector<char> droppable;            ///< E, see mayBeDropped; empty without options
+  std::vector<char> droppable;            ///< E, creases that are not given; empty without options
   std::vector<Offset> begin;              ///< V + 1, into `around`
   std::vector<Index> around;              ///< feature edges at each point, ascending
 

@@ -252,7 +252,7 @@ public:
     , m_edges(edges)
     , m_shapes(shapes)
     , m_normals(normals)
-    , m_labels(options.facetLabels)
+    , m_options(options)
     , m_flat(cosineOf(weakShare * options.angleDegrees))
     , m_leastCosine(cosineOf(options.angleDegrees))
   {
@@ -266,14 +266,15 @@ public:
     {
       return m_edges.valence(edge) == 1 ? FeatureKind::Boundary : FeatureKind::NonManifold;
     }
-    const bool bordersLabels = !m_labels.empty() && m_labels[around[0]] != m_labels[around[1]];
     const double cosine =
       cosineBetween(m_mesh, m_edges, edge, m_normals[around[0]], m_normals[around[1]]);
     if (!(cosine > m_flat))
     {
       angle = static_cast<float>(std::acos(std::clamp(cosine, -1.0, 1.0)));
     }
-    return bordersLabels || cosine < m_leastCosine ? FeatureKind::Crease : FeatureKind::None;
+    const bool isFeature =
+      cosine < m_leastCosine || isGivenFeature(m_mesh, m_edges, m_options, edge);
+    return isFeature ? FeatureKind::Crease : FeatureKind::None;
   }
 
   /** Whether an edge of two facets, one of them a needle, is a crease by their own normals. */
@@ -295,10 +296,37 @@ private:
   const EdgeTable& m_edges;
   const std::vector<FacetShape>& m_shapes;
   const std::vector<Point3>& m_normals;
-  const std::vector<Index>& m_labels;
+  const FeatureOptions& m_options;
   double m_flat;
   double m_leastCosine;
 };
+}
+
+bool isSeam(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const std::vector<Triple>& cornerCharts, Index edge)
+{
+  const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+  const Triple& points = mesh.facetPoints[around[0]];
+  const Triple& others = mesh.facetPoints[around[1]];
+  const int side = edges.sideOf(around[0], edge);
+  for (const int k : { side, (side + 1) % 3 })
+  {
+    const auto l = std::find(others.begin(), others.end(), points[k]) - others.begin();
+    if (cornerCharts[around[0]][k] != cornerCharts[around[1]][l])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool isGivenFeature(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options, Index edge)
+{
+  const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
+  const std::vector<Index>& labels = options.facetLabels;
+  return (!labels.empty() && labels[around[0]] != labels[around[1]]) ||
+    (!options.cornerCharts.empty() && isSeam(mesh, edges, options.cornerCharts, edge));
 }
 
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,

@@ -18,7 +18,12 @@ struct FeatureOptions
 {
   double angleDegrees = 35.0;     ///< creases: angle between the facets' normals above this
   std::vector<Index> facetLabels; ///< F, or empty: edges between different labels are features
-  double spacing = 0.0;           ///< of the points to come, in the unit of the points
+  /**
+   * F x 3, or empty: which of several values of an array the point has in that facet. Edges whose
+   * ends have not the same on both sides are features: seams of the array.
+   */
+  std::vector<Triple> cornerCharts;
+  double spacing = 0.0; ///< of the points to come, in the unit of the points
 };
 
 struct FeatureEdges
@@ -47,15 +52,13 @@ struct FeatureEdges
 FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control);
 
-/** Whether an edge is a crease and no border of labels. */
-inline bool mayBeDropped(const EdgeTable& edges, const FeatureOptions& options,
-  const std::vector<FeatureKind>& kinds, Index edge)
-{
-  const Index* facets = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
-  const std::vector<Index>& labels = options.facetLabels;
-  return kinds[edge] == FeatureKind::Crease &&
-    (labels.empty() || labels[facets[0]] == labels[facets[1]]);
-}
+/** Whether an edge of two facets is a border of labels, or a seam. */
+bool isGivenFeature(
+  const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options, Index edge);
+
+/** Whether the charts of an edge's ends differ between its two facets (FeatureOptions). */
+bool isSeam(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const std::vector<Triple>& cornerCharts, Index edge);
 
 /**
  * Drops creases that are small against the spacing: connected sets of crease edges whose extent is
@@ -63,8 +66,8 @@ inline bool mayBeDropped(const EdgeTable& edges, const FeatureOptions& options,
  * strong or close to a smooth loop; those of any extent that zigzag and branch at almost every
  * point; those around one or two facets that are turned back (by 134 degrees) from all around them
  * and lie on more than twice their area; and short dead ends of the others. Borders, non-manifold
- * edges and borders of labels stay, and creases between them as short as they may be, unless they
- * zigzag or branch.
+ * edges, borders of labels and seams stay, and creases between them as short as they may be, unless
+ * they zigzag or branch.
  *
  * @return the number of edges dropped. O(F).
  */

@@ -35,6 +35,8 @@ public:
     return { m_ofPoints[a], m_ofPoints[b], m_ofPoints[c] };
   }
   std::size_t size() const { return m_facetPoints.size(); } ///< F
+  /** Whether facets that share a point of the mesh use different ones of the caller's there. */
+  bool differ() const { return !m_ofFacets.empty(); }
 
 private:
   SharedArray<Triple> m_facetPoints;

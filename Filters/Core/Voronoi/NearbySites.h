@@ -33,7 +33,7 @@ public:
    * other; it may ask for the sites within the radius. O(log of their number) for each, and a
    * search for each few.
    *
-   * @param radius(site) not negative; asked more than once, before those that lie together are
+   * @param radius of a site, not negative; asked more than once, before those that lie together are
    *        visited. It may depend on earlier visits.
    */
   template <class Radius, class Visit>
