@@ -14,8 +14,9 @@ namespace remesh
 {
 namespace
 {
-constexpr double flatness = 1e-6;  // of the diagonal: what is a plane
-constexpr double asymmetry = 1e-6; // of the largest entry: rounding of single precision
+constexpr double mostVariation = 2.0; // of sizes within a facet: above, it is too large for them
+constexpr double flatness = 1e-6;     // of the diagonal: what is a plane
+constexpr double asymmetry = 1e-6;    // of the largest entry: rounding of single precision
 
 std::string nameOf(vtkDataArray* array)
 {
@@ -144,7 +145,8 @@ MetricFit fitOf(
   for (std::size_t f = 0; f < shapes.size(); ++f)
   {
     area += shapes[f].area();
-    const bool isNear = stretches[f][0] >= std::sqrt(0.5) && stretches[f][1] <= std::sqrt(2.0);
+    const bool isNear = shapes[f].variation <= mostVariation && stretches[f][0] >= std::sqrt(0.5) &&
+      stretches[f][1] <= std::sqrt(2.0);
     within += isNear ? shapes[f].area() : 0.0;
     least.emplace_back(stretches[f][0], shapes[f].area());
     most.emplace_back(-stretches[f][1], shapes[f].area());

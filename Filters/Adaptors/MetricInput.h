@@ -38,7 +38,8 @@ struct MetricFit
 {
   double low = 1.0;    ///< 5 % are stretched by less
   double high = 1.0;   ///< 5 % by more
-  double within = 1.0; ///< share of the area stretched by 1/sqrt 2 to sqrt 2 in all directions
+  double within = 1.0; ///< share of the area stretched by 1/sqrt 2 to sqrt 2 in all directions,
+                       ///< where sizes vary within facets by no more than a factor of 2
 };
 
 /**

@@ -38,6 +38,17 @@ Tensor2 within(const Eigen::Matrix3d& tensor, const Basis& basis, const Point3& 
   return { x.dot(tensor * x), x.dot(tensor * y), y.dot(tensor * y) };
 }
 
+/** The largest factor between the lengths of a vector in two metrics. */
+double largestFactor(const Tensor2& a, const Tensor2& b)
+{
+  // Eigenvalues of a^-1 b: squares of such factors.
+  const double determinant = a.determinant();
+  const double half = 0.5 * (a.yy * b.xx - 2.0 * a.xy * b.xy + a.xx * b.yy) / determinant;
+  const double product = b.determinant() / determinant;
+  const double large = half + std::sqrt(std::max(half * half - product, 0.0));
+  return std::sqrt(std::max(large, large / product));
+}
+
 TargetShape shapeOf(const SurfaceMesh& mesh, const MetricField& metric, std::size_t facet)
 {
   const Triple& points = mesh.facetPoints[facet];
@@ -47,17 +58,19 @@ TargetShape shapeOf(const SurfaceMesh& mesh, const MetricField& metric, std::siz
   basis.normal = first.cross(second).stableNormalized();
   basis.x = first.stableNormalized();
   basis.y = basis.normal.cross(basis.x);
-  Tensor2 sum{ 0.0, 0.0, 0.0 };
-  for (const Index point : points)
+  Tensor2 own[3];
+  for (int k = 0; k < 3; ++k)
   {
-    sum = sum + within(metric.tensors[point], basis, metric.normals[point]);
+    own[k] = within(metric.tensors[points[k]], basis, metric.normals[points[k]]);
   }
-  const Tensor2 mean = sum * (1.0 / 3.0);
+  const Tensor2 mean = (own[0] + own[1] + own[2]) * (1.0 / 3.0);
   // Both edges in the plane: (u, 0) and (v, w).
   const double u = first.norm();
   const double v = second.dot(basis.x);
   const double w = second.dot(basis.y);
   TargetShape shape;
+  shape.variation = std::max({ largestFactor(own[0], own[1]), largestFactor(own[1], own[2]),
+    largestFactor(own[2], own[0]) });
   shape.a = u * std::sqrt(mean.xx);
   shape.b = u * (mean.xx * v + mean.xy * w) / shape.a;
   shape.c = u * w * std::sqrt(mean.determinant()) / shape.a;

@@ -32,6 +32,8 @@ struct TargetShape
   double a = 1.0;
   double b = 0.0;
   double c = 1.0;
+  /** The largest factor, from 1, between the sizes at two of its corners, in any direction. */
+  double variation = 1.0;
 
   double area() const { return 0.5 * this->a * this->c; }
   /** Squared length of edge k, from corner k to k + 1. */

@@ -19,7 +19,9 @@ MetricLaplacian::MetricLaplacian(
 {
   const auto findWeights = [&](Offset f)
   {
-    const auto& [a, b, c] = shapes[f];
+    const double a = shapes[f].a;
+    const double b = shapes[f].b;
+    const double c = shapes[f].c;
     auto& weights = m_weights[f].ofCorner;
     weights[1][0] = 1.0 / a;
     weights[1][1] = -b / (a * c);
