@@ -74,6 +74,11 @@ void vtkEmbeddedSurfaceAlgorithm::SetEmbeddingArray(const char* name)
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name ? name : "");
 }
 
+void vtkEmbeddedSurfaceAlgorithm::SetMetricArray(const char* name)
+{
+  this->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name ? name : "");
+}
+
 vtkIdType vtkEmbeddedSurfaceAlgorithm::GetNumberOfInputComponents() const
 {
   return this->Internals->LastRun.Intake.components;
@@ -107,6 +112,8 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::CheckParameters()
     .within("NormalSmoothingPasses", this->NormalSmoothingPasses, -1, 10000)
     .within("NormalSmoothingRadius", this->NormalSmoothingRadius, -1.0, VTK_DOUBLE_MAX)
     .within("MergeTolerance", this->MergeTolerance, 0.0, 0.1)
+    .within("MetricOrder", this->MetricOrder, METRIC_VTK, METRIC_SOL)
+    .within("MetricDimension", this->MetricDimension, 3, remesh::mostEmbeddingDimensions)
     .within("NumberOfThreads", this->NumberOfThreads, 0, 1024)
     .within("SMPBackend", this->SMPBackend, SMP_AUTOMATIC, SMP_TBB);
   return check.status();
@@ -161,6 +168,19 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
       !status.ok())
   {
     return status;
+  }
+  vtkInformation* metric = self->GetInputArrayInformation(5);
+  if (remesh::Status status = remesh::findPointArray(metric, input, "metric", request.metric);
+      !status.ok())
+  {
+    return status;
+  }
+  request.metricOrder = static_cast<remesh::TensorOrder>(self->MetricOrder);
+  request.metricDimension = self->MetricDimension;
+  if (request.metric && (request.embedding || !self->Internals->CoordinateArrays.empty()))
+  {
+    return remesh::Status::invalid(
+      "A metric is an embedding: choose it, or an embedding and coordinate arrays.");
   }
   vtkInformation* labels = self->GetInputArrayInformation(2);
   if (remesh::Status status = remesh::findCellArray(labels, input, "labels", request.labels);
@@ -243,6 +263,8 @@ void vtkEmbeddedSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalSmoothingPasses: " << this->NormalSmoothingPasses << "\n";
   os << indent << "NormalSmoothingRadius: " << this->NormalSmoothingRadius << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "MetricOrder: " << this->MetricOrder << "\n";
+  os << indent << "MetricDimension: " << this->MetricDimension << "\n";
   os << indent << "CoordinateArrays: " << this->GetNumberOfCoordinateArrays() << "\n";
   for (const auto& [name, scale] : this->Internals->CoordinateArrays)
   {

@@ -12,7 +12,8 @@
  * - `GAUSS_MAP` (d = 6): position and normal times `Anisotropy` times the bounding-box diagonal
  *   ([Levy12], section 3.2); with `Anisotropy` 0 or mode `POSITION`, position alone (d = 3);
  * - each coordinate array appends its components, times its scale, to that;
- * - an embedding array (input array 1) replaces all of it (any d from 2).
+ * - an embedding array (input array 1) replaces all of it (any d from 2);
+ * - so does a metric (`MetricArray`), from which an embedding is computed.
  *
  * Input arrays to process: 0, the point normals (default, or by the name "Automatic": those that
  * are active when the filter runs, used as they are; if there are none, normals are estimated,
@@ -52,6 +53,13 @@ public:
   {
     POSITION = 0,
     GAUSS_MAP = 1
+  };
+
+  enum MetricOrders
+  {
+    METRIC_VTK = 0,
+    METRIC_ROWS = 1,
+    METRIC_SOL = 2
   };
 
   enum SMPBackends
@@ -150,6 +158,46 @@ public:
    */
   void SetEmbeddingArray(const char* name);
 
+  /**
+   * A point array of tensors, a metric: input array to process 5. nullptr, "" or "None": none
+   * (default). An edge e is to have the length sqrt(e' M e), so where a metric's eigenvalue is
+   * 1/h^2, edges along its eigenvector are to have the length h, or all edges h times one number:
+   * the number of points decides. The surface is embedded in R^d (`MetricDimension`) so that lengths
+   * along it there are those in the metric; that replaces the embedding, and cannot be combined
+   * with an embedding array or coordinate arrays.
+   *
+   * 9 components, row by row; 6, in the order of `MetricOrder`; 3, for a surface in a plane of equal
+   * z; or 1, a size h. The part along the surface counts alone, and must be finite, symmetric and
+   * positive definite at all points that polygons use, else an error names the first point. The
+   * triangles of the surface should be smaller than the edges that are asked for. Where the metric
+   * turns or grows faster than they can follow it is not met; that on a tenth of the surface gives
+   * a warning.
+   *
+   * Takes about as long as the remeshing, and the memory of a factor of a matrix of the points
+   * (500 MB for a million).
+   */
+  void SetMetricArray(const char* name);
+
+  ///@{
+  /**
+   * What the components of a metric array of 6 (or 3) are:
+   * - METRIC_VTK (default): XX YY ZZ XY YZ XZ, or XX YY XY;
+   * - METRIC_ROWS: XX XY XZ YY YZ ZZ, or XX XY YY;
+   * - METRIC_SOL: XX XY YY XZ YZ ZZ, as in .sol files, or XX XY YY.
+   */
+  vtkSetMacro(MetricOrder, int);
+  vtkGetMacro(MetricOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * Dimension of the space that a metric is embedded in, 3 to 16, default 6. In 3 there is not
+   * always room; more than 6 gain nothing as a rule.
+   */
+  vtkSetMacro(MetricDimension, int);
+  vtkGetMacro(MetricDimension, int);
+  ///@}
+
   ///@{
   /**
    * Threads to use, 0 to 1024, at most as many as there are processors; default 0: as many as the
@@ -204,6 +252,8 @@ private:
   int NormalSmoothingPasses = -1;
   double NormalSmoothingRadius = -1.0;
   double MergeTolerance = 0.0;
+  int MetricOrder = METRIC_VTK;
+  int MetricDimension = 6;
   int NumberOfThreads = 0;
   int SMPBackend = SMP_AUTOMATIC;
 };

@@ -44,6 +44,8 @@ struct Options
   std::string Normals; // "": the active ones; "none": estimate
   int NormalSmoothingPasses = -1;
   std::string EmbeddingArray;
+  std::string Metric; // point array; "": none
+  std::string MetricOrder = "vtk";
   std::vector<CoordinateArray> Coordinates;
   std::string InitialSites;
   double MergeTolerance = 0.0; // fraction of the bounding-box diagonal

@@ -250,6 +250,13 @@ void OptionTable::AddEmbedding()
   this->Add("--embedding-array", "NAME",
     "Point array that replaces position and normal: the place of each point in R^d.",
     Text(&Options::EmbeddingArray));
+  this->Add("--metric", "ARRAY",
+    "Point array of tensors (9, 6 or 3 components) or sizes (1): edges get the lengths that this "
+    "metric asks for, all times one number. It replaces position and normal.",
+    Text(&Options::Metric));
+  this->AddChoice("--metric-order", "O", &Options::MetricOrder, { "vtk", "rows", "sol" },
+    "What 6 components of a metric are: 'vtk': XX YY ZZ XY YZ XZ; 'rows': XX XY XZ YY YZ ZZ; "
+    "'sol': XX XY YY XZ YZ ZZ. Default vtk.");
   this->AddCoordinates();
   this->Add("--merge-tolerance", "T",
     "Merge input points closer than this fraction of the bounding-box diagonal, 0 to 0.1. "

@@ -55,6 +55,10 @@ void CheckArrays(vtkPolyData* surface, const Options& options)
   {
     CheckArray(surface, options.Normals, true);
   }
+  if (!options.Metric.empty())
+  {
+    CheckArray(surface, options.Metric, false);
+  }
   if (!options.EmbeddingArray.empty())
   {
     CheckArray(surface, options.EmbeddingArray, false);
@@ -93,6 +97,13 @@ void SetEmbedding(vtkEmbeddedSurfaceAlgorithm* filter, const Options& options)
   if (!options.EmbeddingArray.empty())
   {
     filter->SetEmbeddingArray(options.EmbeddingArray.c_str());
+  }
+  if (!options.Metric.empty())
+  {
+    filter->SetMetricArray(options.Metric.c_str());
+    filter->SetMetricOrder(options.MetricOrder == "rows" ? vtkEmbeddedSurfaceAlgorithm::METRIC_ROWS
+        : options.MetricOrder == "sol"                   ? vtkEmbeddedSurfaceAlgorithm::METRIC_SOL
+                                                         : vtkEmbeddedSurfaceAlgorithm::METRIC_VTK);
   }
   for (const CoordinateArray& coordinates : options.Coordinates)
   {

@@ -44,7 +44,8 @@ Json ParametersOf(const Options& options)
     { "threads", options.Threads }, { "backend", options.Backend },
     { "dimension", options.Dimension }, { "normals", options.Normals },
     { "normal_smoothing", options.NormalSmoothingPasses },
-    { "embedding_array", options.EmbeddingArray }, { "coordinates", coordinates },
+    { "embedding_array", options.EmbeddingArray }, { "metric", options.Metric },
+    { "metric_order", options.MetricOrder }, { "coordinates", coordinates },
     { "initial_sites", options.InitialSites }, { "merge_tolerance", options.MergeTolerance } };
 }
 

@@ -28,6 +28,9 @@ namespace
 /** Share of wrinkles (Wrinkles.h) up to which bends are kept as they are. */
 constexpr double mostWrinkles = 0.05;
 
+/** Of the area, that a metric's embedding meets within a factor of sqrt 2, or it is told. */
+constexpr double leastMet = 0.9;
+
 /** Repeated triangles are told from one in so many on: a few are no sheet that is there twice. */
 constexpr Offset mostRepeated = 100;
 
@@ -167,9 +170,40 @@ Status arraysOf(
   return Status::success();
 }
 
+/** The places of the corners in an embedding of the metric. */
+Status embedMetric(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
+  PreparedSurface& prepared)
+{
+  MetricField metric;
+  Status status = readMetric(
+    prepared.mesh, request.metric, request.metricOrder, input->GetNumberOfPoints(), metric);
+  if (!status.ok())
+  {
+    return status;
+  }
+  MetricFit& fit = prepared.metricFit.emplace();
+  status = makeMetricCoordinates(
+    prepared.mesh, metric, request.metricDimension, control, prepared.coordinates, fit);
+  if (status.ok() && fit.within < leastMet)
+  {
+    std::ostringstream warning;
+    warning.precision(2);
+    warning << "The metric is met on " << 100.0 * fit.within
+            << " % of the surface only: elsewhere it turns or grows faster than the surface's "
+               "triangles, or straight edges, can follow. Smaller triangles of the surface, or a "
+               "metric that changes more gradually, help.";
+    prepared.warnings.push_back(warning.str());
+  }
+  return status;
+}
+
 Status makeCoordinates(vtkPolyData* input, const PreparationRequest& request, bool estimated,
   const RunControl& control, PreparedSurface& prepared)
 {
+  if (request.metric)
+  {
+    return embedMetric(input, request, control, prepared);
+  }
   std::vector<std::pair<vtkDataArray*, double>> arrays;
   if (Status status = arraysOf(request, arrays); !status.ok())
   {
@@ -307,7 +341,7 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   const RunControl& control, PreparedSurface& prepared)
 {
   prepared = PreparedSurface{};
-  for (vtkDataArray* array : { request.normals, request.embedding })
+  for (vtkDataArray* array : { request.normals, request.embedding, request.metric })
   {
     if (array)
     {

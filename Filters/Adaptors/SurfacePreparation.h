@@ -5,6 +5,7 @@
 #ifndef remesh_SurfacePreparation_h
 #define remesh_SurfacePreparation_h
 
+#include "Adaptors/MetricInput.h"
 #include "Embedding/Embedding.h"
 #include "Features/FeatureEdges.h"
 #include "Mesh/Intake.h"
@@ -36,7 +37,10 @@ struct PreparationRequest
   vtkDataArray* normals = nullptr; ///< of the points; nullptr: estimate
   bool normalsRequired = false;    ///< whether unusable normals are an error
   vtkDataArray* embedding = nullptr; ///< of the points; replaces all others
-  vtkDataArray* density = nullptr;   ///< of the points; nullptr: the same everywhere
+  vtkDataArray* metric = nullptr;    ///< of the points; replaces all others, and the embedding
+  TensorOrder metricOrder = TensorOrder::Vtk;
+  int metricDimension = 6;         ///< of the space that the metric is embedded in
+  vtkDataArray* density = nullptr; ///< of the points; nullptr: the same everywhere
   std::vector<std::pair<vtkDataArray*, double>> coordinates; ///< appended, each times its scale
 
   bool preserveFeatures = false;
@@ -64,6 +68,7 @@ struct PreparedSurface
   std::optional<double> smoothingRadius;
   CornerCoordinates coordinates; ///< C x d, the caller's units; empty where not to be kept
   EmbeddedSurface surface;
+  std::optional<MetricFit> metricFit; ///< where there is a metric
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
   std::optional<Features> features;
   std::vector<Triple> charts; ///< F x 3, see FeatureOptions; empty: there are no seams among them

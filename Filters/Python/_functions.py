@@ -77,6 +77,9 @@ def remesh(
     coordinates: Any = None,
     embedding: Any = None,
     embedding_mode: str = "gauss_map",
+    metric: Any = None,
+    metric_order: str = "vtk",
+    metric_dimension: int = 6,
     merge_tolerance: float = 0.0,
     # how it runs
     initial_sites: Any = None,
@@ -146,6 +149,12 @@ def remesh(
         Data that the triangles follow, too: appended to the embedding, scaled (length per unit).
     embedding : str or (n, d) numbers, d from 2, optional
         Replaces the embedding: each point's place in R^d.
+    metric : str, (n, 3, 3) or (n, 9), (n, 6), (n, 3) or (n,) numbers, optional
+        A symmetric tensor M for each point, or a size: edges e get lengths sqrt(e' M e), all times
+        one number. Replaces the embedding. (n, 3) is for a surface in a plane of equal z.
+    metric_order, metric_dimension : "vtk", "rows" or "sol"; int, 3 to 16
+        What (n, 6) are: XX YY ZZ XY YZ XZ, or XX XY XZ YY YZ ZZ, or XX XY YY XZ YZ ZZ. The
+        dimension that the metric is embedded in, default 6.
     embedding_mode : "gauss_map" or "position"
         "position" is as `anisotropy` 0.
     merge_tolerance : float, 0 to 0.1
@@ -202,7 +211,7 @@ def remesh(
     arguments = dict(locals())
     taken = Input(arguments.pop("surface"))
     remesher = vtkAnisotropicRemesher()
-    arrays = ("normals", "embedding", "coordinates", "density", "feature_labels", "seams")
+    arrays = ("normals", "embedding", "metric", "coordinates", "density", "feature_labels", "seams")
     choose_arrays(remesher, taken, {name: arguments.pop(name) for name in arrays})
     for name in ("progress", "initial_sites"):
         del arguments[name]
@@ -233,6 +242,9 @@ def voronoi(
     coordinates: Any = None,
     embedding: Any = None,
     embedding_mode: str = "gauss_map",
+    metric: Any = None,
+    metric_order: str = "vtk",
+    metric_dimension: int = 6,
     merge_tolerance: float = 0.0,
     threads: int = 0,
     backend: str = "automatic",
@@ -272,7 +284,7 @@ def voronoi(
     arguments = dict(locals())
     taken = Input(arguments.pop("surface"))
     diagram = vtkRestrictedVoronoiDiagram()
-    arrays = ("normals", "embedding", "coordinates", "density")
+    arrays = ("normals", "embedding", "metric", "coordinates", "density")
     choose_arrays(diagram, taken, {name: arguments.pop(name) for name in arrays})
     for name in ("progress", "sites"):
         del arguments[name]
@@ -363,6 +375,9 @@ def embed(
     coordinates: Any = None,
     embedding: Any = None,
     embedding_mode: str = "gauss_map",
+    metric: Any = None,
+    metric_order: str = "vtk",
+    metric_dimension: int = 6,
     merge_tolerance: float = 0.0,
     threads: int = 0,
     backend: str = "automatic",
@@ -397,7 +412,7 @@ def embed(
     arguments = dict(locals())
     taken = Input(arguments.pop("surface"))
     mapped = vtkGaussMapEmbedding()
-    arrays = ("normals", "embedding", "coordinates")
+    arrays = ("normals", "embedding", "metric", "coordinates")
     choose_arrays(mapped, taken, {name: arguments.pop(name) for name in arrays})
     del arguments["progress"]
     set_properties(mapped, arguments)

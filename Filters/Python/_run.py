@@ -5,6 +5,8 @@ import threading
 import time
 from typing import Any, Dict, List, Mapping, Sequence, Tuple
 
+import numpy
+
 from . import _execution, _surfaces
 from ._messages import Messages, logger
 from ._progress import Progress, Reporter
@@ -36,6 +38,7 @@ PROPERTIES = {
     "normal_smoothing_passes": "NormalSmoothingPasses",
     "normal_smoothing_radius": "NormalSmoothingRadius",
     "merge_tolerance": "MergeTolerance",
+    "metric_dimension": "MetricDimension",
     "threads": "NumberOfThreads",
     "distribute_outputs": "DistributeOutputs",
     "samples": "NumberOfSamples",
@@ -48,6 +51,7 @@ CHOICES: Dict[str, Tuple[str, Tuple[str, ...]]] = {
     "sampling": ("SamplingMethod", ("random", "stratified")),
     "vertex_placement": ("VertexPlacement", ("centroid", "surface_point", "quadric", "fit")),
     "embedding_mode": ("EmbeddingMode", ("position", "gauss_map")),
+    "metric_order": ("MetricOrder", ("vtk", "rows", "sol")),
     "backend": ("SMPBackend", ("automatic", "sequential", "stdthread", "tbb")),
 }
 
@@ -102,6 +106,9 @@ def choose_arrays(algorithm: Any, surface: Input, arrays: Mapping[str, Any]) -> 
     embedding = arrays.get("embedding")
     if embedding is not None:
         algorithm.SetEmbeddingArray(surface.array("embedding", embedding, "Given embedding"))
+    metric = arrays.get("metric")
+    if metric is not None:
+        algorithm.SetMetricArray(surface.array("metric", _flat(metric), "Given metric"))
     for index, (array, scale) in enumerate(_pairs(arrays.get("coordinates"))):
         name = surface.array("coordinates", array, f"Given coordinates {index}")
         algorithm.AddCoordinateArray(name, scale)
@@ -117,6 +124,14 @@ def choose_arrays(algorithm: Any, surface: Input, arrays: Mapping[str, Any]) -> 
         algorithm.SetSeamArray("None")
     elif not (isinstance(seams, str) and seams == "automatic"):
         algorithm.SetSeamArray(surface.array("seams", seams, "Given seams"))
+
+
+def _flat(metric: Any) -> Any:
+    """Tensors (n, 3, 3) as rows (n, 9)."""
+    if isinstance(metric, str):
+        return metric
+    values = numpy.asarray(metric)
+    return values.reshape(len(values), 9) if values.ndim == 3 and values[0].size == 9 else values
 
 
 def _pairs(coordinates: Any) -> Sequence[Tuple[Any, float]]:

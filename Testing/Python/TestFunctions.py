@@ -267,7 +267,8 @@ class TestArguments(unittest.TestCase):
             "SetMaximumNumberOfExtraPoints": "maximum_extra_points",
             "SetFeatureLabelArray": "feature_labels", "SetSeamArray": "seams",
             "SetDensityArray": "density",
-            "SetEmbeddingArray": "embedding", "SetInitialSitesData": "initial_sites",
+            "SetEmbeddingArray": "embedding", "SetMetricArray": "metric",
+            "SetInitialSitesData": "initial_sites",
             "SetSitesData": "sites", "SetReferenceData": "surface",
         }
         named = {"Set" + name: argument for argument, name in _run.PROPERTIES.items()}

@@ -111,6 +111,12 @@ def make_inputs(folder):
     tube.GetPointData().SetTCoords(texture)
     write(vtkXMLPolyDataWriter(), tube, f"{folder}/textured.vtp")
 
+    # A metric: ten times as long along y as along x.
+    points, triangles = shapes.sphere(24)
+    metric = shapes.surface(points, triangles, Metric=numpy.tile(
+        [100.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], (len(points), 1)))
+    write(vtkXMLPolyDataWriter(), metric, f"{folder}/metric.vtp")
+
     # A tile of a periodic surface: a wave that goes on at all sides.
     x, y = numpy.meshgrid(*2 * [numpy.linspace(0.0, 1.0, 25)], indexing="ij")
     z = 0.1 * numpy.sin(2 * numpy.pi * x) * numpy.sin(2 * numpy.pi * y)

@@ -1,0 +1,133 @@
+#include "Metric/MetricLaplacian.h"
+
+#include <vector>
+
+namespace remesh
+{
+namespace
+{
+/** Of the masses, that makes the matrix regular, relative to its trace. */
+constexpr double regularShare = 1e-10;
+}
+
+MetricLaplacian::MetricLaplacian(
+  const SurfaceMesh& mesh, const std::vector<TargetShape>& shapes, const RunControl& control)
+  : m_mesh(mesh)
+  , m_shapes(shapes)
+  , m_weights(shapes.size())
+  , m_masses(mesh.points.size(), 0.0)
+{
+  const auto findWeights = [&](Offset f)
+  {
+    const double a = shapes[f].a;
+    const double b = shapes[f].b;
+    const double c = shapes[f].c;
+    auto& weights = m_weights[f].ofCorner;
+    weights[1][0] = 1.0 / a;
+    weights[1][1] = -b / (a * c);
+    weights[2][0] = 0.0;
+    weights[2][1] = 1.0 / c;
+    weights[0][0] = -weights[1][0];
+    weights[0][1] = -weights[1][1] - weights[2][1];
+  };
+  const auto pointOf = [&](Offset corner) { return mesh.facetPoints[corner / 3][corner % 3]; };
+  const auto findMass = [&](Offset point)
+  {
+    for (Offset k = m_corners.begins[point]; k < m_corners.begins[point + 1]; ++k)
+    {
+      m_masses[point] += shapes[m_corners.items[k] / 3].area() / 3.0;
+    }
+  };
+  static_cast<void>(forEachItem(static_cast<Offset>(shapes.size()), control, findWeights) &&
+    groupByKey(
+      3 * static_cast<Offset>(shapes.size()), mesh.numberOfPoints(), control, pointOf, m_corners) &&
+    forEachItem(mesh.numberOfPoints(), control, findMass));
+  for (const double mass : m_masses)
+  {
+    m_area += mass;
+  }
+}
+
+FacetRows MetricLaplacian::gradient(const Rows& functions, Index facet) const
+{
+  const Triple& points = m_mesh.facetPoints[facet];
+  const auto& weights = m_weights[facet].ofCorner;
+  const auto first = functions.row(points[0]);
+  FacetRows rows(2, functions.cols());
+  rows.row(0) = weights[1][0] * (functions.row(points[1]) - first);
+  rows.row(1) = weights[1][1] * (functions.row(points[1]) - first) +
+    weights[2][1] * (functions.row(points[2]) - first);
+  return rows;
+}
+
+bool MetricLaplacian::divergence(const Rows& fields, const RunControl& control, Rows& sums) const
+{
+  sums.resize(this->numberOfPoints(), fields.cols());
+  return forEachItem(this->numberOfPoints(), control,
+    [&](Offset point)
+    {
+      auto sum = sums.row(point);
+      sum.setZero();
+      for (Offset i = m_corners.begins[point]; i < m_corners.begins[point + 1]; ++i)
+      {
+        const Index facet = m_corners.items[i] / 3;
+        const auto& weights = m_weights[facet].ofCorner[m_corners.items[i] % 3];
+        const double area = this->area(facet);
+        sum += (area * weights[0]) * fields.row(2 * Offset(facet)) +
+          (area * weights[1]) * fields.row(2 * Offset(facet) + 1);
+      }
+    });
+}
+
+Status MetricLaplacian::factor(const RunControl& control)
+{
+  using Matrix = Eigen::SparseMatrix<double>;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(6 * m_shapes.size() + m_masses.size());
+  double trace = 0.0;
+  for (Index facet = 0; facet < this->numberOfFacets(); ++facet)
+  {
+    const Triple& points = m_mesh.facetPoints[facet];
+    const auto& weights = m_weights[facet].ofCorner;
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int l = 0; l <= k; ++l)
+      {
+        const double entry =
+          this->area(facet) * (weights[k][0] * weights[l][0] + weights[k][1] * weights[l][1]);
+        entries.emplace_back(std::max(points[k], points[l]), std::min(points[k], points[l]), entry);
+        trace += k == l ? entry : 0.0;
+      }
+    }
+  }
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
+  for (Index point = 0; point < this->numberOfPoints(); ++point)
+  {
+    entries.emplace_back(point, point, regularShare * trace / m_area * m_masses[point]);
+  }
+  Matrix matrix(this->numberOfPoints(), this->numberOfPoints());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  entries = {};
+  m_factor.compute(matrix);
+  return control.cancelled() ? Status::cancelled()
+    : m_factor.info() == Eigen::Success
+    ? Status::success()
+    : Status::invalid("The metric's Laplacian cannot be factored: sizes "
+                      "differ by more than numbers can tell.");
+}
+
+bool MetricLaplacian::solve(const Rows& right, const RunControl& control, Rows& solution) const
+{
+  solution.resize(right.rows(), right.cols());
+  return forEachBlock(right.cols(), control,
+    [&](Offset column)
+    {
+      const Eigen::VectorXd from = right.col(column);
+      const Eigen::VectorXd to = m_factor.solve(from);
+      solution.col(column) = to;
+    });
+}
+}

@@ -1,0 +1,315 @@
+// SetMetricArray: edges with the lengths of the metric, sizes, orders of the components, what is
+// across the surface, other filters, errors.
+
+#include "TestBytes.h"
+
+#include "vtkAnisotropicRemesher.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkGaussMapEmbedding.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+using namespace remesh;
+using namespace remesh::test;
+
+namespace
+{
+using Tensor = std::function<Eigen::Matrix3d(const Point3&)>;
+
+/** A layer across the square, at an angle: 0.1 along it, from 0.01 on across it. */
+Eigen::Matrix3d layer(const Point3& p)
+{
+  const Point3 across(0.8, 0.6, 0.0);
+  const Point3 along(-0.6, 0.8, 0.0);
+  const double size = std::min(0.1, 0.01 + 0.3 * std::abs(across.dot(p) - 0.7));
+  return across * across.transpose() / (size * size) + along * along.transpose() / 0.01;
+}
+
+/** Twice as long along x as along y at one side, and the other way round at the other. */
+Eigen::Matrix3d gentle(const Point3& p)
+{
+  return Point3(1.0 + 3.0 * p[0], 4.0 - 3.0 * p[0], 1.0).asDiagonal();
+}
+
+/** Stretched 3 : 1 along a direction that turns with the height. */
+Eigen::Matrix3d winding(const Point3& p)
+{
+  const double angle = 1.5 * p[2];
+  const Point3 outward = Point3(p[0], p[1], 0.0).normalized();
+  const Point3 around(-outward[1], outward[0], 0.0);
+  const Point3 a = std::cos(angle) * around + std::sin(angle) * Point3(0.0, 0.0, 1.0);
+  const Point3 b = outward.cross(a);
+  return 9.0 * a * a.transpose() + b * b.transpose();
+}
+
+/** A tube of radius 1 and height 2, open. */
+vtkSmartPointer<vtkPolyData> tube()
+{
+  TriangleSoup soup = gridPatch(120, 40);
+  for (Point3& p : soup.points)
+  {
+    const double angle = 2.0 * pi * (p[0] == 1.0 ? 0.0 : p[0]);
+    p = { std::cos(angle), std::sin(angle), 2.0 * p[1] };
+  }
+  return polyDataOf(soup);
+}
+
+/** Adds the tensors as 9 components. */
+void addMetric(vtkPolyData* input, const Tensor& tensor, const char* name = "Metric")
+{
+  addPointArray<vtkDoubleArray>(input, name, 9,
+    [&](const Point3& p, int component) { return tensor(p)(component / 3, component % 3); });
+}
+
+vtkSmartPointer<vtkAnisotropicRemesher> remesherOf(
+  vtkPolyData* input, vtkIdType points, const char* metric = "Metric")
+{
+  auto filter = vtkSmartPointer<vtkAnisotropicRemesher>::New();
+  filter->SetInputData(input);
+  filter->SetNumberOfPoints(points);
+  filter->SetMetricArray(metric);
+  return filter;
+}
+
+/** The share of edges whose length in the metric is within a factor of sqrt 2 of the mean. */
+double unitShare(vtkPolyData* mesh, const Tensor& tensor)
+{
+  std::set<std::pair<vtkIdType, vtkIdType>> edges;
+  auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(std::minmax(ids[k], ids[(k + 1) % 3]));
+    }
+  }
+  std::vector<double> logarithms;
+  double sum = 0.0;
+  for (const auto& [p, q] : edges)
+  {
+    const Point3 start = pointOf(mesh, p);
+    const Point3 edge = pointOf(mesh, q) - start;
+    double length = 0.0;
+    constexpr int steps = 8;
+    for (int k = 0; k < steps; ++k)
+    {
+      const Point3 middle = start + (k + 0.5) / steps * edge;
+      length += std::sqrt(edge.dot(tensor(middle) * edge)) / steps;
+    }
+    logarithms.push_back(std::log(length));
+    sum += logarithms.back();
+  }
+  const double mean = sum / static_cast<double>(edges.size());
+  const auto within = std::count_if(logarithms.begin(), logarithms.end(),
+    [&](double length) { return std::abs(length - mean) < 0.5 * std::log(2.0); });
+  return static_cast<double>(within) / static_cast<double>(edges.size());
+}
+
+double fact(vtkPolyData* mesh, const char* name)
+{
+  return vtkDataArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(name))
+    ->GetComponent(0, 0);
+}
+
+void testLengths()
+{
+  struct Case
+  {
+    vtkSmartPointer<vtkPolyData> input;
+    Tensor tensor;
+    double least;
+  };
+  for (const Case& shape :
+    { Case{ polyDataOf(gridPatch(80, 80)), layer, 0.99 }, Case{ tube(), winding, 0.97 } })
+  {
+    addMetric(shape.input, shape.tensor);
+    const auto filter = remesherOf(shape.input, 1200);
+    Messages messages(filter);
+    filter->Update();
+    CHECK(messages.errors().empty());
+    CHECK(messages.warnings().empty());
+    vtkPolyData* mesh = filter->GetOutput();
+    CHECK_EQUAL(mesh->GetNumberOfPoints(), 1200);
+    CHECK(filter->GetDimension() == 6);
+    const double share = unitShare(mesh, shape.tensor);
+    check(share > shape.least, __FILE__, __LINE__, "share " + std::to_string(share));
+    CHECK(fact(mesh, "TopologyPreserved") == 1);
+    CHECK(fact(mesh, "NumberOfFlippedTriangles") == 0);
+    // Without the metric it is another mesh.
+    filter->SetMetricArray(nullptr);
+    filter->Update();
+    CHECK(unitShare(filter->GetOutput(), shape.tensor) < 0.9);
+  }
+}
+
+/** The same tensors in all ways to write them give the same mesh. */
+void testComponents()
+{
+  const auto input = polyDataOf(gridPatch(40, 40));
+  addMetric(input, layer);
+  const auto add = [&](const char* name, const std::vector<std::array<int, 2>>& entries)
+  {
+    addPointArray<vtkDoubleArray>(input, name, static_cast<int>(entries.size()),
+      [&](const Point3& p, int component)
+      { return layer(p)(entries[component][0], entries[component][1]); });
+  };
+  add("Vtk", { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 0, 2 } });
+  add("Rows", { { 0, 0 }, { 0, 1 }, { 0, 2 }, { 1, 1 }, { 1, 2 }, { 2, 2 } });
+  add("Sol", { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } });
+  add("Plane", { { 0, 0 }, { 1, 1 }, { 0, 1 } });
+  // What is across the surface does not count.
+  addMetric(
+    input,
+    [](const Point3& p) -> Eigen::Matrix3d
+    { return layer(p) + 1e6 * Point3::UnitZ() * Point3::UnitZ().transpose(); },
+    "Across");
+  const auto run = [&](const char* name, int order)
+  {
+    const auto filter = remesherOf(input, 300, name);
+    filter->SetMetricOrder(order);
+    filter->Update();
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 300);
+    return bytesOf(filter->GetOutput()->GetPoints()->GetData());
+  };
+  using Filter = vtkAnisotropicRemesher;
+  const auto expected = run("Metric", Filter::METRIC_VTK);
+  CHECK(run("Vtk", Filter::METRIC_VTK) == expected);
+  CHECK(run("Rows", Filter::METRIC_ROWS) == expected);
+  CHECK(run("Sol", Filter::METRIC_SOL) == expected);
+  CHECK(run("Plane", Filter::METRIC_VTK) == expected);
+  CHECK(run("Across", Filter::METRIC_VTK) == expected);
+}
+
+/** A size: half as large, four times as many points for an area. */
+void testSizes()
+{
+  const auto input = polyDataOf(gridPatch(60, 60));
+  addPointArray<vtkDoubleArray>(
+    input, "Size", 1, [](const Point3& p, int) { return p[0] < 0.5 ? 0.01 : 0.02; });
+  const auto filter = remesherOf(input, 1500, "Size");
+  filter->Update();
+  vtkPolyData* mesh = filter->GetOutput();
+  int fine = 0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    fine += mesh->GetPoint(i)[0] < 0.5 ? 1 : 0;
+  }
+  CHECK_NEAR(fine / 1500.0, 0.8, 0.03);
+}
+
+/** The embedding that the remesher works on has the metric's lengths. */
+void testEmbedding()
+{
+  const auto input = polyDataOf(gridPatch(60, 60));
+  addMetric(input, gentle);
+  vtkNew<vtkGaussMapEmbedding> filter;
+  filter->SetInputData(input);
+  filter->SetMetricArray("Metric");
+  filter->SetMetricDimension(4);
+  filter->Update();
+  vtkDataArray* places = filter->GetOutput()->GetPointData()->GetArray("Embedding");
+  CHECK(places && places->GetNumberOfComponents() == 4);
+  double worst = 0.0;
+  for (vtkIdType i = 0; i + 1 < 61 && places; ++i)
+  {
+    double squared = 0.0;
+    for (int c = 0; c < 4; ++c)
+    {
+      squared += std::pow(places->GetComponent(i + 1, c) - places->GetComponent(i, c), 2);
+    }
+    const Point3 edge = pointOf(input, i + 1) - pointOf(input, i);
+    const Point3 middle = pointOf(input, i) + 0.5 * edge;
+    worst = std::max(worst, std::abs(std::sqrt(squared / edge.dot(gentle(middle) * edge)) - 1.0));
+  }
+  check(worst < 0.2, __FILE__, __LINE__, "worst " + std::to_string(worst));
+}
+
+void checkError(vtkAlgorithm* filter, const std::string& part, int line)
+{
+  Messages messages(filter);
+  filter->Update();
+  const auto& errors = messages.errors();
+  check(errors.size() == 1 && errors[0].find(part) != std::string::npos, __FILE__, line,
+    part + ": " + (errors.empty() ? "none" : errors[0]));
+  CHECK(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints() == 0);
+}
+
+void testErrors()
+{
+  const auto input = polyDataOf(gridPatch(10, 10));
+  const auto fails = [&](const Tensor& tensor, const char* part, int line)
+  {
+    addMetric(input, tensor);
+    checkError(remesherOf(input, 50), part, line);
+  };
+  const auto at = [](const Point3& p, double value)
+  { return Point3(p[0] > 0.55 ? value : 1.0, 1.0, 1.0); };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  fails([&](const Point3& p) -> Eigen::Matrix3d { return at(p, -1.0).asDiagonal(); },
+    "is not positive definite along the surface at point 6.", __LINE__);
+  fails([&](const Point3& p) -> Eigen::Matrix3d { return at(p, nan).asDiagonal(); },
+    "is not finite at point 6.", __LINE__);
+  fails(
+    [](const Point3& p) -> Eigen::Matrix3d
+    {
+      Eigen::Matrix3d tensor = Eigen::Matrix3d::Identity();
+      tensor(0, 1) = p[0] > 0.55 ? 0.5 : 0.0;
+      return tensor;
+    },
+    "is not symmetric at point 6.", __LINE__);
+  addPointArray<vtkDoubleArray>(input, "Four", 4, [](const Point3&, int) { return 1.0; });
+  checkError(remesherOf(input, 50, "Four"), "has 4 components", __LINE__);
+  checkError(remesherOf(input, 50, "Absent"), "\"Absent\"", __LINE__);
+
+  const auto ball = polyDataOf(icosphere(2));
+  addPointArray<vtkDoubleArray>(ball, "Plane", 3, [](const Point3&, int c) { return c < 2; });
+  checkError(remesherOf(ball, 50, "Plane"), "not in a plane of equal z", __LINE__);
+
+  addMetric(input, layer);
+  const auto both = remesherOf(input, 50);
+  both->SetEmbeddingArray("Metric");
+  checkError(both, "A metric is an embedding", __LINE__);
+  const auto far = remesherOf(input, 50);
+  far->SetMetricDimension(17);
+  checkError(far, "MetricDimension", __LINE__);
+}
+
+/** A metric that the surface's triangles cannot follow is told. */
+void testWarning()
+{
+  const auto input = polyDataOf(gridPatch(12, 12));
+  addMetric(input,
+    [](const Point3& p)
+    {
+      const double angle = 40.0 * p[0] * p[1];
+      const Point3 a(std::cos(angle), std::sin(angle), 0.0);
+      return Eigen::Matrix3d(Eigen::Matrix3d::Identity() + 400.0 * a * a.transpose());
+    });
+  const auto filter = remesherOf(input, 100);
+  Messages messages(filter);
+  filter->Update();
+  CHECK(messages.errors().empty());
+  const auto& warnings = messages.warnings();
+  CHECK(std::any_of(warnings.begin(), warnings.end(),
+    [](const std::string& text)
+    { return text.find("The metric is met on ") != std::string::npos; }));
+}
+}
+
+int TestMetric(int, char*[])
+{
+  testLengths();
+  testComponents();
+  testSizes();
+  testEmbedding();
+  testErrors();
+  testWarning();
+  return result();
+}
