@@ -37,6 +37,15 @@ double toleranceOf(const PreparationRequest& request)
   return std::max(rounding, 10.0 * request.mergeTolerance);
 }
 
+/** Whether an array is there for the run, with a value for each side of a crease. */
+bool isUsed(const PreparationRequest& request, vtkDataArray* array)
+{
+  return array == request.normals || array == request.embedding || array == request.metric ||
+    array == request.density ||
+    std::any_of(request.coordinates.begin(), request.coordinates.end(),
+      [&](const auto& coordinate) { return coordinate.first == array; });
+}
+
 /** A point of the mesh, and one of the caller's there. */
 using Copy = std::pair<Index, Offset>;
 
@@ -216,7 +225,7 @@ void tellJumps(vtkPolyData* input, const PreparationRequest& request, const RunC
       array->GetNumberOfTuples() == input->GetNumberOfPoints() &&
       !isReserved(meshPointNames, array->GetName());
     const bool isKept = array == request.seams && !prepared.charts.empty();
-    if (!isCarried || isKept || array == request.normals || array == data->GetNormals() ||
+    if (!isCarried || isKept || isUsed(request, array) || array == data->GetNormals() ||
       findSeamCharts(prepared.mesh, array, toleranceOf(request), control).points == 0)
     {
       continue;

@@ -130,7 +130,7 @@ class TestObj(FilesTest):
         # Around a seam, the points have two texture coordinates; each is kept with its corner.
         text = ("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.25 0.5\n"
                 "f 1/1 2/2 3/3\nf 1/4 3/3 4/2\n")
-        surface = self.read_in("seam.obj", text)
+        surface = self.read_in("seam.obj", text, "interpolated across")
         self.assertEqual(surface.GetNumberOfPoints(), 5)
         self.assertEqual(surface.GetPoint(4), surface.GetPoint(0))
         textures = vtk_to_numpy(surface.GetPointData().GetTCoords())
@@ -223,7 +223,7 @@ class TestPly(FilesTest):
                 "property list uchar int vertex_indices\nproperty list uchar float texcoord\n"
                 "end_header\n0 0 0 5\n1 0 0 6\n1 1 0 7\n0 1 0 8\n"
                 "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0.25 0.5 1 1 1 0\n")
-        surface = self.read_in("seam.ply", text)
+        surface = self.read_in("seam.ply", text, "interpolated across")
         self.assertEqual(surface.GetNumberOfPoints(), 5)
         self.assertEqual(surface.GetPointData().GetTCoords().GetTuple(4), (0.25, 0.5))
         self.assertEqual(list(vtk_to_numpy(surface.GetPointData().GetArray("tag"))),
