@@ -202,7 +202,7 @@ remesh::Status makeMesh(const remesh::NumberRequest& request, bool measuresDista
 {
   const remesh::Status status = remesh::remeshWithNumber(request, options, control, outcome);
   return status.ok() && measuresDistance
-    ? remesh::findDistance(outcome.prepared.mesh, control.silent(), outcome.result)
+    ? remesh::findDistance(outcome.prepared.inputMesh(), control.silent(), outcome.result)
     : status;
 }
 
@@ -247,6 +247,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
       options.keepDiagram = writesDiagram || !hasNumber;
       request.numberOfSites = sites ? sites->GetNumberOfPoints() : options.numberOfSites;
       request.mayLend = true;
+      request.mayRefine = true;
       // Only the cells show the coordinates.
       request.mostKeptDimensions = choice.VoronoiCells ? choice.LargestDimension : 0;
       const remesh::RunControl making = control.part(0.0, 0.95);

@@ -17,12 +17,13 @@ namespace
 struct Corners
 {
   std::array<Offset, 3> points;
-  const double* weights;
+  std::array<double, 3> weights;
   int nearest; ///< of the largest weight
 
   Corners(const DiagramSource& source, const SurfaceLocation& place)
-    : points(source.prepared.mesh.facetInputPoints[place.facet])
-    , weights(place.b)
+    : points(
+        source.prepared.inputMesh().facetInputPoints[source.prepared.inputFacet(place.facet)])
+    , weights(source.prepared.inputPlace(place.facet, place.b))
     , nearest(0)
   {
     for (const int k : { 1, 2 })

@@ -215,6 +215,25 @@ Status readFacetDensities(const SurfaceMesh& mesh, vtkDataArray* array, Offset n
         "another.");
 }
 
+std::vector<double> densitiesOf(
+  const SurfaceMesh& mesh, const std::vector<FacetOrigin>& origins, vtkDataArray* array)
+{
+  constexpr double middle[3] = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
+  std::vector<double> densities;
+  densities.reserve(origins.size());
+  for (const FacetOrigin& origin : origins)
+  {
+    const std::array<double, 3> place = origin.place(middle);
+    const std::array<Offset, 3> points = mesh.facetInputPoints[origin.facet];
+    double& density = densities.emplace_back(0.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      density += place[k] * array->GetComponent(points[k], 0);
+    }
+  }
+  return densities;
+}
+
 Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals)
 {
   if (Status status = checkTuples(array, numberOfInputPoints); !status.ok())

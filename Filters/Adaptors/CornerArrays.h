@@ -7,6 +7,7 @@
 
 #include "Embedding/Embedding.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Refinement/RefinedSurface.h"
 #include "Support/Status.h"
 
 #include <utility>
@@ -46,6 +47,11 @@ bool lendCornerArrays(const SurfaceMesh& mesh,
  */
 Status readFacetDensities(const SurfaceMesh& mesh, vtkDataArray* array, Offset numberOfInputPoints,
   std::vector<double>& densities);
+
+/** The same at the middles of the facets of a refined surface, once the array is known to be good.
+ */
+std::vector<double> densitiesOf(
+  const SurfaceMesh& mesh, const std::vector<FacetOrigin>& origins, vtkDataArray* array);
 
 /** All tuples of a point array of three components, as they are. */
 Status readNormals(vtkDataArray* array, Offset numberOfInputPoints, std::vector<Point3>& normals);

@@ -41,14 +41,15 @@ std::vector<char> facetsAtNewFeatures(
 
 /** Share of these cells that meet such facets. */
 double shareOn(
-  const std::vector<char>& facets, const RemeshResult& result, const std::vector<Index>& cells)
+  const std::vector<char>& facets, const NumberOutcome& outcome, const std::vector<Index>& cells)
 {
-  const Components& components = result.components;
+  const Components& components = outcome.result.components;
+  const Diagram& diagram = outcome.result.diagram;
   const auto isOn = [&](Index cell)
   {
     return std::any_of(components.pieces.begin() + components.pieceBegin[cell],
       components.pieces.begin() + components.pieceBegin[cell + 1],
-      [&](Offset piece) { return facets[result.diagram.facets[piece]] != 0; });
+      [&](Offset piece) { return facets[outcome.prepared.inputFacet(diagram.facets[piece])] != 0; });
   };
   return static_cast<double>(std::count_if(cells.begin(), cells.end(), isOn)) /
     static_cast<double>(std::max<std::size_t>(cells.size(), 1));
@@ -60,10 +61,11 @@ Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outco
   const RunControl& control, FinerCreases& finer)
 {
   const PreparedSurface& prepared = outcome.prepared;
-  const Features* coarse = prepared.features ? &*prepared.features : nullptr;
+  const SurfaceMesh& whole = prepared.inputMesh();
+  const Features* coarse = prepared.inputFeatures() ? &*prepared.inputFeatures() : nullptr;
   FeatureOptions options;
   if (Status status =
-        readFeatureOptions(request.input, request.preparation, prepared.mesh, options);
+        readFeatureOptions(request.input, request.preparation, whole, options);
       !status.ok())
   {
     return status;
@@ -73,19 +75,19 @@ Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outco
   for (Index dropped = prepared.droppedCreases; finer.sites == 0 && dropped > 0;)
   {
     sites *= growth;
-    options.spacing = meanSpacing(prepared.mesh, sites);
+    options.spacing = meanSpacing(whole, sites);
     if (!(options.spacing > tolerance))
     {
       break;
     }
-    SurfaceMesh mesh = prepared.mesh; // to be cut open elsewhere
+    SurfaceMesh mesh = whole; // to be cut open elsewhere
     const Features fine = findFeatures(mesh, options, control);
     if (control.cancelled())
     {
       return Status::cancelled();
     }
     if (fine.droppedEdges < dropped &&
-      shareOn(facetsAtNewFeatures(mesh, coarse, fine), outcome.result, farCells) >= leastShare)
+      shareOn(facetsAtNewFeatures(mesh, coarse, fine), outcome, farCells) >= leastShare)
     {
       EmbeddedSurface surface; // bends do not depend on more than the place
       if (Status status = embedSurface(mesh, positionCoordinates(mesh), control, surface);

@@ -27,10 +27,13 @@ using Pair = std::pair<Index, Index>;
 /** Of the facets' shortest side: how far a step goes. */
 constexpr double stepShare = 0.25;
 
+/** The points of the input's surface around a place, and the charts that they have in a facet. */
+using Charts = std::vector<Pair>;
+
 /** The facets around the place of a feature point that have the same charts there. */
 struct Side
 {
-  Pair charts;
+  Charts charts;
   std::vector<Index> facets;
 };
 
@@ -62,9 +65,9 @@ public:
   SeamSplitter(const DiagramSource& source, MeshBlocks& mesh)
     : Source(source)
     , Surface(source.prepared.mesh)
-    , Charts(source.prepared.charts)
     , Mesh(mesh)
   {
+    this->findSeats();
     this->listFacets();
     this->listTriangles();
     for (const FeatureSegment& segment : source.result.seams.segments)
@@ -77,44 +80,90 @@ public:
 
   void split()
   {
-    const FeatureSites& features = this->Source.result.featureSites;
-    for (Index point = 0; point < features.numberOfPoints(); ++point)
+    for (const auto& [vertex, seat] : this->Seats)
     {
-      const Seat& seat = features.seats[features.seatBegin[point]];
-      const Index vertex = this->Source.result.seams.components[point];
-      if (vertex != noIndex && this->isOnSeam(seat))
+      for (const Index p : this->pointsOf(vertex))
       {
-        for (const Index p : this->pointsOf(vertex))
-        {
-          this->splitPoint(p, seat);
-        }
+        this->splitPoint(p, seat);
       }
     }
   }
 
 private:
-  /** Facets around the points of the surface that have several charts. */
-  void listFacets()
+  /** Vertices whose place is on a seam, as all points of the input's surface around it have several
+   * charts. */
+  void findSeats()
   {
-    this->HasCharts.resize(this->Surface.points.size(), 0);
-    for (std::size_t f = 0; f < this->Charts.size(); ++f)
+    const SurfaceMesh& input = this->Source.prepared.inputMesh();
+    const std::vector<Triple>& charts = this->Source.prepared.charts;
+    std::vector<char> hasCharts(input.points.size(), 0);
+    for (std::size_t f = 0; f < charts.size(); ++f)
     {
       for (int k = 0; k < 3; ++k)
       {
-        this->HasCharts[this->Surface.facetPoints[f][k]] |= this->Charts[f][k] > 0 ? 1 : 0;
+        hasCharts[input.facetPoints[f][k]] |= charts[f][k] > 0 ? 1 : 0;
       }
+    }
+    const FeatureSites& features = this->Source.result.featureSites;
+    for (Index point = 0; point < features.numberOfPoints(); ++point)
+    {
+      const Seat& seat = features.seats[features.seatBegin[point]];
+      const Index vertex = this->Source.result.seams.components[point];
+      const Charts around = this->chartsIn(seat.facet, seat);
+      if (vertex != noIndex && around.size() < 3 &&
+        std::all_of(around.begin(), around.end(),
+          [&](const Pair& chart) { return hasCharts[chart.first] != 0; }))
+      {
+        this->Seats.emplace_back(vertex, seat);
+      }
+    }
+  }
+
+  /** The charts of a seat's place as a facet around it has them. */
+  Charts chartsIn(Index facet, const Seat& seat) const
+  {
+    const SurfaceLocation location = this->locationIn(facet, seat);
+    const std::array<double, 3> b = this->Source.prepared.inputPlace(facet, location.b);
+    const Index whole = this->Source.prepared.inputFacet(facet);
+    Charts charts;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (b[k] > 0.0)
+      {
+        charts.emplace_back(this->Source.prepared.inputMesh().facetPoints[whole][k],
+          this->Source.prepared.charts[whole][k]);
+      }
+    }
+    std::sort(charts.begin(), charts.end());
+    return charts;
+  }
+
+  /** Facets around the places on seams. */
+  void listFacets()
+  {
+    std::vector<char> isAround(this->Surface.points.size(), 0);
+    for (const auto& [vertex, seat] : this->Seats)
+    {
+      isAround[this->firstPoint(seat)] = 1;
     }
     for (Index f = 0; f < this->Surface.numberOfFacets(); ++f)
     {
       for (const Index point : this->Surface.facetPoints[f])
       {
-        if (this->HasCharts[point])
+        if (isAround[point])
         {
           this->Facets.add(point, f);
         }
       }
     }
     this->Facets.sort();
+  }
+
+  /** The first point of the surface that spans a seat's place. */
+  Index firstPoint(const Seat& seat) const
+  {
+    const auto k = std::find_if(seat.b, seat.b + 3, [](double b) { return b > 0.0; }) - seat.b;
+    return this->Surface.facetPoints[seat.facet][k];
   }
 
   /** Triangles around the points of vertices on features, and those points. */
@@ -150,19 +199,6 @@ private:
     return points;
   }
 
-  /** Whether all points of the surface that span the place have several charts. */
-  bool isOnSeam(const Seat& seat) const
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (seat.b[k] > 0.0 && !this->HasCharts[this->Surface.facetPoints[seat.facet][k]])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
   /** The weights of the place in another facet around it. */
   SurfaceLocation locationIn(Index facet, const Seat& seat) const
   {
@@ -180,52 +216,34 @@ private:
     return location;
   }
 
+  /** Whether a facet has all points that span a seat's place. */
+  bool isAround(Index facet, const Seat& seat) const
+  {
+    const SurfaceLocation location = this->locationIn(facet, seat);
+    return std::count(location.b, location.b + 3, 0.0) == std::count(seat.b, seat.b + 3, 0.0);
+  }
+
   std::vector<Side> sidesOf(Index p, const Seat& seat) const
   {
-    std::vector<Index> span; // points of the surface around the place, one or two
-    for (int k = 0; k < 3; ++k)
-    {
-      if (seat.b[k] > 0.0)
-      {
-        span.push_back(this->Surface.facetPoints[seat.facet][k]);
-      }
-    }
-    std::vector<Side> sides;
-    const auto addFacet = [&](Index facet)
-    {
-      const Triple& points = this->Surface.facetPoints[facet];
-      Index charts[2] = { 0, 0 };
-      for (std::size_t s = 0; s < span.size(); ++s)
-      {
-        const auto k = std::find(points.begin(), points.end(), span[s]) - points.begin();
-        if (k == 3)
-        {
-          return; // around the first point of the edge only
-        }
-        charts[s] = this->Charts[facet][k];
-      }
-      const Pair key(charts[0], charts[1]);
-      auto side = std::find_if(
-        sides.begin(), sides.end(), [&](const Side& other) { return other.charts == key; });
-      if (side == sides.end())
-      {
-        sides.push_back({ key, {} });
-        side = sides.end() - 1;
-      }
-      side->facets.push_back(facet);
-    };
     const bool hasBlocks = !this->Mesh.pointBlocks.empty();
-    if (span.size() < 3)
-    {
-      this->Facets.forEach(span.front(),
-        [&](Index facet)
+    std::vector<Side> sides;
+    this->Facets.forEach(this->firstPoint(seat),
+      [&](Index facet)
+      {
+        if (!this->isAround(facet, seat) ||
+          (hasBlocks && this->Source.blockOfFacet(facet) != this->Mesh.pointBlocks[p]))
         {
-          if (!hasBlocks || this->Source.blockOfFacet(facet) == this->Mesh.pointBlocks[p])
-          {
-            addFacet(facet);
-          }
-        });
-    }
+          return;
+        }
+        const Charts charts = this->chartsIn(facet, seat);
+        auto side = std::find_if(
+          sides.begin(), sides.end(), [&](const Side& other) { return other.charts == charts; });
+        if (side == sides.end())
+        {
+          side = sides.insert(sides.end(), { charts, {} });
+        }
+        side->facets.push_back(facet);
+      });
     return sides;
   }
 
@@ -400,13 +418,12 @@ private:
 
   const DiagramSource& Source;
   const SurfaceMesh& Surface;
-  const std::vector<Triple>& Charts;
   MeshBlocks& Mesh;
-  std::vector<char> HasCharts; ///< V
-  Around Facets;               ///< of points of the surface
-  Around Triangles;            ///< of the mesh's points
-  Around Points;               ///< of the mesh's vertices
-  std::vector<Pair> Segments;  ///< vertices, ascending
+  std::vector<std::pair<Index, Seat>> Seats; ///< of vertices on seams
+  Around Facets;                             ///< of points of the surface
+  Around Triangles;                          ///< of the mesh's points
+  Around Points;                             ///< of the mesh's vertices
+  std::vector<Pair> Segments;                ///< vertices, ascending
 };
 }
 

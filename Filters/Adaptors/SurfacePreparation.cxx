@@ -9,6 +9,7 @@
 #include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
 #include "Mesh/NormalFlow.h"
+#include "Refinement/NormalVariation.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
@@ -94,17 +95,22 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
   return Status::success();
 }
 
-Status findNormals(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
-  PreparedSurface& prepared, bool& estimated)
+/** Where the normals of the corners come from. */
+struct NormalSource
 {
-  estimated = false;
+  bool estimated = false;
+  std::vector<Point3> given; ///< P, of the caller's points; none where estimated
+};
+
+Status findNormals(vtkPolyData* input, const PreparationRequest& request, const RunControl& control,
+  PreparedSurface& prepared, NormalSource& source)
+{
   if (request.normals)
   {
-    std::vector<Point3> given;
-    Status status = readNormals(request.normals, input->GetNumberOfPoints(), given);
+    Status status = readNormals(request.normals, input->GetNumberOfPoints(), source.given);
     if (status.ok())
     {
-      status = givenCornerNormals(prepared.mesh, given, prepared.normals);
+      status = givenCornerNormals(prepared.mesh, source.given, prepared.normals);
     }
     if (status.ok() || request.normalsRequired)
     {
@@ -112,12 +118,36 @@ Status findNormals(vtkPolyData* input, const PreparationRequest& request, const 
     }
     prepared.warnings.push_back(status.message + " The normals are estimated instead.");
   }
-  estimated = true;
-  const int passes =
-    request.smoothingRadius >= 0.0 ? 0 : std::max(0, request.normalSmoothingPasses);
-  prepared.normals =
-    estimateCornerNormals(prepared.mesh, passes, control, prepared.borrowedNormals);
+  source = { true, {} };
+  prepared.normals = estimateCornerNormals(
+    prepared.mesh, request.passesOfSmoothing(), control, prepared.borrowedNormals);
   return Status::success();
+}
+
+/** Splits facets that are too large for the Gauss map. Normals smoothed by passes are kept. */
+void refineSurface(const PreparationRequest& request, const NormalSource& source,
+  const RunControl& control, PreparedSurface& prepared)
+{
+  const bool hasPasses = source.estimated && request.passesOfSmoothing() > 0;
+  if (!request.mayRefine || !request.gaussMap || request.embedding || request.metric || hasPasses)
+  {
+    return;
+  }
+  const OwnNormals own(prepared.mesh, prepared.borrowedNormals, prepared.normals,
+    source.estimated ? nullptr : &source.given);
+  const double s = request.anisotropy * boundingBoxDiagonal(prepared.mesh);
+  RefinedSurface refined;
+  std::vector<Point3> normals;
+  if (!refineForNormals(own, prepared.features ? &*prepared.features : nullptr, s,
+        request.numberOfSites, control, refined, normals))
+  {
+    return;
+  }
+  prepared.input = InputSurface{ std::move(prepared.mesh), std::move(prepared.features),
+    std::move(refined.origins) };
+  prepared.mesh = std::move(refined.mesh);
+  prepared.features = std::move(refined.features);
+  prepared.normals = std::move(normals);
 }
 
 /** Estimated normals, smoothed at the scale of the sites or over the radius that is asked for. */
@@ -137,6 +167,23 @@ std::vector<Point3> smoothNormals(
     smoothed = prepared.normals;
   }
   return smoothed;
+}
+
+/** Appends an array, each value times `scale`, at the corners of the surface. */
+Status appendArray(vtkDataArray* array, double scale, Offset points, PreparedSurface& prepared)
+{
+  if (!prepared.input)
+  {
+    return appendCornerArray(prepared.mesh, array, scale, points, prepared.coordinates);
+  }
+  CornerCoordinates read;
+  const Status status = appendCornerArray(prepared.input->mesh, array, scale, points, read);
+  if (status.ok())
+  {
+    appendCoordinates(prepared.coordinates,
+      interpolateCorners(prepared.input->mesh, prepared.mesh, prepared.input->origins, read), 1.0);
+  }
+  return status;
 }
 
 /** Position and normal; estimated normals at the scale of the sites, if no passes were asked for.
@@ -218,16 +265,14 @@ Status makeCoordinates(vtkPolyData* input, const PreparationRequest& request, bo
   }
   const Offset points = input->GetNumberOfPoints();
   // What is done along features works on held coordinates, and patches are moved apart.
-  if (request.mayLend && !prepared.features &&
+  if (request.mayLend && !prepared.features && !prepared.input &&
     lendCornerArrays(prepared.mesh, arrays, points, manyDimensions, prepared.coordinates))
   {
     return Status::success();
   }
   for (const auto& [array, scale] : arrays)
   {
-    if (Status status =
-          appendCornerArray(prepared.mesh, array, scale, points, prepared.coordinates);
-        !status.ok())
+    if (Status status = appendArray(array, scale, points, prepared); !status.ok())
     {
       return status;
     }
@@ -246,8 +291,12 @@ Status embed(vtkPolyData* input, const PreparationRequest& request, const RunCon
   if (status.ok() && request.density)
   {
     std::vector<double> densities;
-    status =
-      readFacetDensities(prepared.mesh, request.density, input->GetNumberOfPoints(), densities);
+    status = readFacetDensities(
+      prepared.inputMesh(), request.density, input->GetNumberOfPoints(), densities);
+    if (status.ok() && prepared.input)
+    {
+      densities = densitiesOf(prepared.input->mesh, prepared.input->origins, request.density);
+    }
     if (status.ok())
     {
       weightByDensity(densities, prepared.surface);
@@ -362,11 +411,14 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   }
   tellJumps(input, request, progress, prepared);
   progress.enterPhase("Embedding", 0.7, 1.0);
-  bool estimated = false;
-  Status status = findNormals(input, request, progress.step(0, 3), prepared, estimated);
+  NormalSource source;
+  Status status = findNormals(input, request, progress.step(0, 3), prepared, source);
   if (status.ok())
   {
-    status = makeCoordinates(input, request, estimated, progress.step(1, 3), prepared);
+    refineSurface(request, source, progress.silent(), prepared);
+    status = progress.cancelled()
+      ? Status::cancelled()
+      : makeCoordinates(input, request, source.estimated, progress.step(1, 3), prepared);
   }
   return status.ok() ? embed(input, request, progress.step(2, 3), prepared) : status;
 }

@@ -10,7 +10,9 @@
 #include "Features/FeatureEdges.h"
 #include "Mesh/Intake.h"
 #include "Mesh/Normals.h"
+#include "Refinement/RefinedSurface.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -56,11 +58,27 @@ struct PreparationRequest
   bool mayLend = false;
   /** `coordinates` are kept for up to that many dimensions, and where they cost nothing. */
   int mostKeptDimensions = std::numeric_limits<int>::max();
+  bool mayRefine = false; ///< whether facets that are large against the spacing may be split
+
+  /** Those over the rings of corners, where they are asked for. */
+  int passesOfSmoothing() const
+  {
+    return this->smoothingRadius >= 0.0 ? 0 : std::max(0, this->normalSmoothingPasses);
+  }
+};
+
+/** The surface as the input has it, where it was refined for the embedding. */
+struct InputSurface
+{
+  SurfaceMesh mesh;
+  std::optional<Features> features;
+  std::vector<FacetOrigin> origins; ///< of the refined surface's facets, on this one
 };
 
 struct PreparedSurface
 {
-  SurfaceMesh mesh;
+  SurfaceMesh mesh;                  ///< refined, if it had to be (NormalVariation.h)
+  std::optional<InputSurface> input; ///< where `mesh` is refined; use `inputMesh`
   IntakeReport intake;
   std::vector<FacetNormal> borrowedNormals; ///< of facets that have none of their own
   std::vector<Point3> normals;              ///< C, unit; before the smoothing over the spacing
@@ -75,6 +93,23 @@ struct PreparedSurface
   Index droppedCreases = 0;   ///< that are too small for the sites, sides of needles, and steps
   std::vector<vtkAbstractArray*> usedArrays; ///< those given as normals or embedding
   std::vector<std::string> warnings;
+
+  /** The surface after intake, whose facets are the caller's. */
+  const SurfaceMesh& inputMesh() const { return this->input ? this->input->mesh : this->mesh; }
+  const std::optional<Features>& inputFeatures() const
+  {
+    return this->input ? this->input->features : this->features;
+  }
+  /** The facet of `inputMesh` that a facet is a part of, and the place there of one on it. */
+  Index inputFacet(Index facet) const
+  {
+    return this->input ? this->input->origins[facet].facet : facet;
+  }
+  std::array<double, 3> inputPlace(Index facet, const double b[3]) const
+  {
+    return this->input ? this->input->origins[facet].place(b)
+                       : std::array<double, 3>{ b[0], b[1], b[2] };
+  }
 };
 
 /** Which features count for so many sites. @return as readFacetLabels(). */

@@ -61,7 +61,7 @@ struct ToleranceRun
   Status measure(const DistanceOptions& how, const RunControl& control, TwoSidedDistance& distance)
   {
     return measureTwoSidedDistance(
-      trianglesOf(this->result), trianglesOf(this->prepared.mesh), how, control, distance);
+      trianglesOf(this->result), trianglesOf(this->prepared.inputMesh()), how, control, distance);
   }
 
   /** A rough mesh, and from its number of points that for the next one. */

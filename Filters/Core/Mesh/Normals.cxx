@@ -23,6 +23,33 @@
 
 namespace remesh
 {
+Point3 normalOf(
+  const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrowed, std::size_t facet)
+{
+  const auto found = std::lower_bound(borrowed.begin(), borrowed.end(), facet,
+    [](const FacetNormal& a, std::size_t b) { return static_cast<std::size_t>(a.facet) < b; });
+  if (found != borrowed.end() && static_cast<std::size_t>(found->facet) == facet)
+  {
+    return found->normal;
+  }
+  const auto& [a, b, c] = mesh.facetPoints[facet];
+  return facetNormal(mesh.points[a], mesh.points[b], mesh.points[c]);
+}
+
+std::vector<char> findCutPoints(const SurfaceMesh& mesh)
+{
+  std::vector<char> corners(mesh.points.size(), 0);
+  for (const Index point : mesh.cornerPoints)
+  {
+    corners[point] = static_cast<char>(std::min(corners[point] + 1, 2));
+  }
+  for (char& count : corners)
+  {
+    count = count > 1;
+  }
+  return corners;
+}
+
 namespace
 {
 /** A sum shorter than this share of its weights has no direction but rounding error. */
@@ -54,20 +81,6 @@ FacetShare facetShare(const SurfaceMesh& mesh, std::size_t facet)
   return { doubleArea > 0.0 ? Point3(cross / doubleArea) : cross,
     { std::atan2(doubleArea, -ab.dot(ca)), std::atan2(doubleArea, -bc.dot(ab)),
       std::atan2(doubleArea, -ca.dot(bc)) } };
-}
-
-/** The normal that a facet borrows, or else its own. */
-Point3 normalOf(
-  const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrowed, std::size_t facet)
-{
-  const auto found = std::lower_bound(borrowed.begin(), borrowed.end(), facet,
-    [](const FacetNormal& a, std::size_t b) { return static_cast<std::size_t>(a.facet) < b; });
-  if (found != borrowed.end() && static_cast<std::size_t>(found->facet) == facet)
-  {
-    return found->normal;
-  }
-  const auto& [a, b, c] = mesh.facetPoints[facet];
-  return facetNormal(mesh.points[a], mesh.points[b], mesh.points[c]);
 }
 
 std::vector<Point3> angleWeightedNormals(
@@ -173,21 +186,6 @@ Point3 smoothedNormal(
   const double length = sum.norm();
   const bool hasDirection = length > leastLength * static_cast<double>(end - begin + 1);
   return hasDirection ? Point3(sum / length) : normals[corner];
-}
-
-/** Whether a point of the surface was cut into several corners. */
-std::vector<char> findCutPoints(const SurfaceMesh& mesh)
-{
-  std::vector<char> corners(mesh.points.size(), 0);
-  for (const Index point : mesh.cornerPoints)
-  {
-    corners[point] = static_cast<char>(std::min(corners[point] + 1, 2));
-  }
-  for (char& count : corners)
-  {
-    count = count > 1;
-  }
-  return corners;
 }
 
 /** Input points that lie in several corners of one point: their normals belong to none of them. */

@@ -18,6 +18,13 @@ struct FacetNormal
   Point3 normal;
 };
 
+/** The normal that a facet borrows (`borrowed` is ascending), or else that of its plane. */
+Point3 normalOf(
+  const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrowed, std::size_t facet);
+
+/** V, whether a point of the surface was cut into several corners. */
+std::vector<char> findCutPoints(const SurfaceMesh& mesh);
+
 /**
  * Angle-weighted means of the facet normals, smoothed by uniform 1-ring averaging.
  *

@@ -1,0 +1,51 @@
+/**
+ * @file EdgeSplit.h
+ * @brief Splits edges of a surface at their middles, and the facets at them, so that all fits.
+ */
+#ifndef remesh_EdgeSplit_h
+#define remesh_EdgeSplit_h
+
+#include "Refinement/RefinedSurface.h"
+#include "Support/RunControl.h"
+
+namespace remesh
+{
+/** Which edges are to be split. */
+struct EdgesToSplit
+{
+  std::vector<double> lengths; ///< E, above 0: by what the shape of facets is judged
+  std::vector<char> marked;    ///< E
+
+  /** Whether an edge is longer than another one; there are no equal ones. */
+  bool isLonger(Index edge, Index other) const
+  {
+    return this->lengths[edge] != this->lengths[other]
+      ? this->lengths[edge] > this->lengths[other]
+      : edge < other;
+  }
+};
+
+/** Which of the facet's sides is the longest. */
+int longestSide(const Triple& facetEdges, const EdgesToSplit& wanted);
+
+/**
+ * Marks the longest side of each facet that has a marked one, and so on from there: facets stay
+ * about as well shaped as they were, and their sizes change gradually (M.-C. Rivara, "Mesh
+ * refinement processes based on the generalized bisection of simplices", 1984). O(E).
+ */
+void closeMarks(const EdgeTable& edges, EdgesToSplit& wanted);
+
+/**
+ * Splits all marked edges; the marks must be closed. A facet with one becomes two, with two three, with three four of its
+ * shape; the first cut is at the middle of its longest side. All others stay, and so does the order
+ * of facets; points are numbered as the facets meet them.
+ *
+ * @param edges of the surface's points; where there are features, theirs.
+ * @param control asked for cancellation: then the surface is of no use.
+ * Cost: O(F). Deterministic.
+ */
+void splitEdges(const EdgeTable& edges, const EdgesToSplit& wanted, const RunControl& control,
+  RefinedSurface& surface);
+}
+
+#endif

@@ -1,0 +1,109 @@
+#include "Refinement/Refinement.h"
+
+#include "Features/FeatureGraph.h"
+
+#include <algorithm>
+
+namespace remesh
+{
+namespace
+{
+/** The room that closing the marks takes, as a multiple of that of the marks. */
+constexpr Offset shareOfClosing = 1;
+
+/** Facets that are added where these edges are split. */
+Offset addedBy(const EdgeTable& edges, const EdgesToSplit& wanted)
+{
+  Offset added = 0;
+  for (Index e = 0; e < edges.numberOfEdges(); ++e)
+  {
+    added += wanted.marked[e] ? edges.valence(e) : 0;
+  }
+  return added;
+}
+
+/** Leaves the marks of the longest edges alone, for which there is room. */
+void keepLongest(const EdgeTable& edges, Offset room, EdgesToSplit& wanted)
+{
+  std::vector<Index> marked;
+  for (Index e = 0; e < edges.numberOfEdges(); ++e)
+  {
+    if (wanted.marked[e])
+    {
+      marked.push_back(e);
+    }
+  }
+  std::sort(marked.begin(), marked.end(), [&](Index a, Index b) { return wanted.isLonger(a, b); });
+  std::fill(wanted.marked.begin(), wanted.marked.end(), 0);
+  for (const Index edge : marked)
+  {
+    room -= (1 + shareOfClosing) * edges.valence(edge);
+    if (room < 0)
+    {
+      break;
+    }
+    wanted.marked[edge] = 1;
+  }
+  closeMarks(edges, wanted);
+}
+}
+
+RefinedSurface wholeSurface(const SurfaceMesh& mesh, const Features* features)
+{
+  RefinedSurface surface;
+  surface.mesh.points = mesh.points;
+  surface.mesh.facetPoints = mesh.facetPoints;
+  surface.mesh.facetCorners = mesh.facetCorners;
+  surface.mesh.cornerPoints = mesh.cornerPoints;
+  surface.mesh.facetInputCells = mesh.facetInputCells;
+  if (features)
+  {
+    surface.features = *features;
+  }
+  surface.origins.resize(mesh.facetPoints.size());
+  for (Index f = 0; f < mesh.numberOfFacets(); ++f)
+  {
+    surface.origins[f] = { f, { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } } };
+  }
+  return surface;
+}
+
+bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
+  const RunControl& control, RefinedSurface& surface)
+{
+  bool any = false;
+  bool fits = true;
+  for (int round = 0; round < limits.mostRounds && fits && !control.cancelled(); ++round)
+  {
+    const EdgeTable own =
+      surface.features ? EdgeTable{} : buildEdgeTable(surface.mesh.facetPoints, control);
+    const EdgeTable& edges = surface.features ? surface.features->edges : own;
+    EdgesToSplit wanted;
+    criterion(surface, edges, wanted);
+    if (std::find(wanted.marked.begin(), wanted.marked.end(), 1) == wanted.marked.end())
+    {
+      break;
+    }
+    closeMarks(edges, wanted);
+    const Offset room = limits.mostFacets - surface.mesh.numberOfFacets();
+    fits = addedBy(edges, wanted) <= room;
+    if (!fits)
+    {
+      keepLongest(edges, room, wanted);
+    }
+    if (!fits && addedBy(edges, wanted) > room)
+    {
+      break;
+    }
+    splitEdges(edges, wanted, control, surface);
+    any = true;
+  }
+  if (any && surface.features && !control.cancelled())
+  {
+    surface.features->corners.clear();
+    surface.features->curves.clear();
+    traceCurves(surface.mesh, *surface.features);
+  }
+  return any;
+}
+}

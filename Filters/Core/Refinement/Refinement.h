@@ -1,0 +1,45 @@
+/**
+ * @file Refinement.h
+ * @brief Splits the facets of a surface that are too large for what its embedding does on them.
+ */
+#ifndef remesh_Refinement_h
+#define remesh_Refinement_h
+
+#include "Refinement/EdgeSplit.h"
+
+#include <functional>
+
+namespace remesh
+{
+/**
+ * Tells which edges of a surface, as it has been split so far, are too long. It gets an empty
+ * `EdgesToSplit` and fills it; the marks need not be closed. Where no edge is, it may leave it
+ * empty.
+ */
+using SplitCriterion =
+  std::function<void(const RefinedSurface& surface, const EdgeTable& edges, EdgesToSplit& wanted)>;
+
+struct RefinementLimits
+{
+  Offset mostFacets = 0;      ///< that the surface may come to have
+  int mostRounds = mostSplits; ///< each halves the edges that are too long
+};
+
+/**
+ * Splits edges, and the facets at them, until the criterion wants no more of them: conforming, as
+ * each is split for all facets around it, and the geometry stays as it is. Where there is no room
+ * for all that it wants, the longest edges come first.
+ *
+ * @param surface of which nothing is split yet (`wholeSurface`).
+ * @param control when it cancels, the surface is of no use.
+ * @return whether any was split.
+ * Cost: O(F) for each round, and that of the criterion.
+ */
+bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
+  const RunControl& control, RefinedSurface& surface);
+
+/** A surface before any split. The features, if any, must be those that it was cut open along. */
+RefinedSurface wholeSurface(const SurfaceMesh& mesh, const Features* features);
+}
+
+#endif
