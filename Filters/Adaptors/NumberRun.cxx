@@ -47,6 +47,14 @@ struct NumberRun
       : Status::success(); // the core has its own word for that
   }
 
+  /** Nothing is split for sites that are refused then. */
+  bool canHoldSites() const
+  {
+    return this->request.sites ||
+      (this->options.numberOfSites <= maximumIndex &&
+        checkMemory(this->options.numberOfSites, 6, 0).ok());
+  }
+
   bool mayWiden() const
   {
     const PreparationRequest& preparation = this->request.preparation;
@@ -83,6 +91,7 @@ struct NumberRun
     result = RemeshResult{};
     const auto start = std::chrono::steady_clock::now();
     this->request.preparation.smoothing = smoothing;
+    this->request.preparation.mayRefine &= this->canHoldSites();
     PreparedSurface& prepared = this->outcome.prepared;
     const double prepares = this->request.sites ? 0.5 * shareOfPreparation : shareOfPreparation;
     Status status = prepareSurface(

@@ -72,11 +72,33 @@ void keepFacetsAlone(Diagram& diagram)
   diagram = std::move(kept);
 }
 
-/** Vertices on features stay where they are. */
+/** Fixes the vertices whose cells hold apexes there; the first of several in one cell. */
+void fixAtApexes(const Task& task, std::vector<char>& fixed, RemeshResult& result)
+{
+  if (!task.features || task.features->apexes.empty())
+  {
+    return;
+  }
+  const std::vector<Index>& apexes = task.features->apexes;
+  const std::vector<Index>& vertices = result.components.apexes;
+  std::vector<Point3>& positions = result.placement.positions;
+  positions = result.components.centroids;
+  for (std::size_t k = 0; k < apexes.size(); ++k)
+  {
+    if (vertices[k] != noIndex && !fixed[vertices[k]])
+    {
+      fixed[vertices[k]] = 1;
+      positions[vertices[k]] = task.mesh.points[apexes[k]];
+    }
+  }
+}
+
+/** Vertices on features stay where they are, and those at apexes come there. */
 Status place(const Task& task, const RunControl& control, RemeshResult& result)
 {
   Stopwatch watch;
-  const std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
+  std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
+  fixAtApexes(task, fixed, result);
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   const VertexPlacement way = task.options.placement;

@@ -43,6 +43,8 @@ Status dualize(const Task& task, const EdgeTable& edges, const std::vector<Index
   if (status.ok() && task.features)
   {
     status = dropHangingTriangles(result.components, result.seams, control, result.dual);
+    result.components.apexes =
+      componentsAt(task.mesh, task.features->apexes, owners, result.diagram, result.components);
   }
   if (status.ok())
   {

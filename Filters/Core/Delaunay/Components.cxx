@@ -247,6 +247,27 @@ Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, c
   return done ? Status::success() : Status::cancelled();
 }
 
+std::vector<Index> componentsAt(const SurfaceMesh& mesh, const std::vector<Index>& points,
+  const std::vector<Index>& owners, const Diagram& diagram, const Components& components)
+{
+  std::vector<Index> found(points.size(), noIndex);
+  for (Index f = 0; f < mesh.numberOfFacets() && !points.empty(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index point = mesh.facetPoints[f][k];
+      const auto at = std::lower_bound(points.begin(), points.end(), point) - points.begin();
+      if (at < static_cast<std::ptrdiff_t>(points.size()) && points[at] == point &&
+        found[at] == noIndex)
+      {
+        const Offset piece = diagram.pieceOf(f, owners[mesh.facetCorners[f][k]]);
+        found[at] = piece >= 0 ? components.ofPiece[piece] : noIndex;
+      }
+    }
+  }
+  return found;
+}
+
 std::vector<double> measureCellAreas(
   const SurfaceMesh& mesh, const Diagram& diagram, Index numberOfSites)
 {

@@ -28,6 +28,7 @@ struct Components
   std::vector<double> area;      ///< K, area in R^3
   std::vector<double> energy;    ///< K, integral of density times |x - x_i|^2, scaled units
   std::vector<Point3> centroids; ///< K, centroid by mass, in R^3; feature points: their place
+  std::vector<Index> apexes;     ///< that hold those of the surface (Features.h), or noIndex
 
   Index count() const { return static_cast<Index>(this->sites.size()); }
 };
@@ -44,6 +45,13 @@ struct Components
 Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites,
   const EdgeTable& edges, const Diagram& diagram, const std::vector<Index>& owners,
   const RunControl& control, Components& components, const FeatureSites* features = nullptr);
+
+/**
+ * The component that holds each of these points of the surface (ascending), in the first facet
+ * there with a piece of the point's owner (`owners` as above); noIndex if there is none. O(F).
+ */
+std::vector<Index> componentsAt(const SurfaceMesh& mesh, const std::vector<Index>& points,
+  const std::vector<Index>& owners, const Diagram& diagram, const Components& components);
 
 /** Area in R^3 of the cells of n sites, unit of the points. Cost: O(P), in one thread. */
 std::vector<double> measureCellAreas(

@@ -168,6 +168,29 @@ public:
     }
   }
 
+  /**
+   * Takes away a cell without triangles, and those around the cone below it, but for the last: it
+   * has triangles, and comes to cover the apex.
+   */
+  void bareApex(Index cell)
+  {
+    for (Index above = noIndex; cell != noIndex && this->isFree(cell) && m_uses[cell] == 0;)
+    {
+      const Index below = this->onlyNeighbor(cell, above);
+      if (below == noIndex || !this->takes({ cell }))
+      {
+        break;
+      }
+      m_refinement.removed.push_back(m_components.sites[cell]);
+      above = std::exchange(cell, below);
+      if (m_uses[cell] != 0)
+      {
+        m_taken[cell] = 1;
+        m_refinement.closed.push_back(cell);
+      }
+    }
+  }
+
   void refineCell(Index cell)
   {
     if (!this->takes({ cell }))
@@ -216,8 +239,34 @@ private:
   /** A cell of a repeated triangle and no other has two neighbours, one of none has one. */
   bool isTip(Index cell, Index mostUses) const
   {
-    return m_cutTips && m_uses[cell] <= mostUses &&
-      m_components.sites[cell] >= m_places.sites.fixed;
+    return m_cutTips && m_uses[cell] <= mostUses && this->isFree(cell);
+  }
+
+  bool isFree(Index cell) const { return m_components.sites[cell] >= m_places.sites.fixed; }
+
+  /** The one cell next to another but for that above it; noIndex if there is none or several. */
+  Index onlyNeighbor(Index cell, Index above) const
+  {
+    const Diagram& diagram = m_places.diagram;
+    Index found = noIndex;
+    for (Offset p = m_components.pieceBegin[cell]; p < m_components.pieceBegin[cell + 1]; ++p)
+    {
+      const Offset piece = m_components.pieces[p];
+      for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+      {
+        const Index beyond = componentBeyond(diagram, m_components, piece, diagram.across[v]);
+        if (beyond == noIndex || beyond == above || beyond == found)
+        {
+          continue;
+        }
+        if (found != noIndex)
+        {
+          return noIndex;
+        }
+        found = beyond;
+      }
+    }
+    return found;
   }
 
   void refine(Index cell, Index neighbor)
@@ -243,6 +292,10 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
   const Dual& dual, const Certificate& certificate, bool cutTips)
 {
   TopologyRefiner refiner(places, components, dual, cutTips);
+  for (const Index cell : components.apexes)
+  {
+    refiner.bareApex(cell);
+  }
   for (const Triple& vertex : certificate.vertices)
   {
     refiner.refineVertex(vertex);
@@ -289,9 +342,23 @@ void addWhereEnergyIs(
   std::iota(byEnergy.begin(), byEnergy.end(), Index(0));
   std::stable_sort(byEnergy.begin(), byEnergy.end(),
     [&](Index a, Index b) { return components.energy[a] > components.energy[b]; });
+  std::vector<char> isClosed(byEnergy.size(), 0);
+  const auto close = [&](Index cell)
+  {
+    if (cell != noIndex)
+    {
+      isClosed[cell] = 1;
+    }
+  };
+  std::for_each(components.apexes.begin(), components.apexes.end(), close);
+  std::for_each(refinement.closed.begin(), refinement.closed.end(), close);
   FarthestVertex farthest(places);
   for (std::size_t k = 0; k < byEnergy.size() && count > 0; ++k)
   {
+    if (isClosed[byEnergy[k]])
+    {
+      continue;
+    }
     showVertices(
       places.diagram, components, byEnergy[k], farthest, [](Index, Index) { return true; });
     count -= addSite(places.diagram, components, farthest, refinement) ? 1 : 0;

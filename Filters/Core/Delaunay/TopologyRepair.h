@@ -27,12 +27,15 @@ struct Refinement
    * thin tip: no two at one of them.
    */
   std::set<Triple> meetings;
+  std::vector<Index> closed; ///< components that get no site for their energy
 };
 
 /**
  * A new site for each cell, or segments between two, where the certificate fails: at the vertex of
  * the diagram that is farthest from the site, or at a thin tip between its curves (ThinTips.h).
- * What would be next to another one's cells is left for later.
+ * What would be next to another one's cells is left for later. At the apex of a cone each would
+ * have another one of the kind above it, at every scale: there the cells that go all around are
+ * taken away, down to one that has triangles.
  *
  * @param cutTips whether cells with fewer than three neighbours, as at the tip of a spike, are left
  *        to these instead: the spike ends in one of them then.
@@ -48,7 +51,10 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
 Refinement refineTriangles(const VertexPlaces& places, const Components& components,
   const Dual& dual, const std::vector<Index>& triangles);
 
-/** Adds up to `count` sites, at the farthest vertices of the cells' parts with the most energy. */
+/**
+ * Adds up to `count` sites, at the farthest vertices of the cells' parts with the most energy; none
+ * in cells with an apex, whose energy is that of the cells that cannot be there.
+ */
 void addWhereEnergyIs(
   const VertexPlaces& places, const Components& components, Offset count, Refinement& refinement);
 }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace remesh
@@ -14,6 +16,8 @@ namespace remesh
 namespace
 {
 constexpr double leastCosineOfTurn = 0.5; // sharper turns are corners
+/** Radians, around a point: of a cone whose sides are 45 degrees from its axis. */
+constexpr double mostAngleAtApex = 4.4429;
 
 bool isCorner(const Features& features, const CreaseGraph& graph, Index point)
 {
@@ -238,6 +242,45 @@ void cutAlongFeatures(SurfaceMesh& mesh, Features& features)
   features.pinches = findPinches(mesh, features);
 }
 
+std::vector<Index> findApexes(const SurfaceMesh& mesh, const Features& features, double spacing)
+{
+  std::vector<double> angles(mesh.points.size(), 0.0);
+  for (const Triple& facet : mesh.facetPoints)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point3& at = mesh.points[facet[k]];
+      const Point3 u = mesh.points[facet[(k + 1) % 3]] - at;
+      const Point3 v = mesh.points[facet[(k + 2) % 3]] - at;
+      angles[facet[k]] += std::atan2(u.cross(v).norm(), u.dot(v));
+      if (!(std::min(u.norm(), v.norm()) > spacing))
+      {
+        angles[facet[k]] = std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+  for (std::size_t f = 0; f < mesh.facetPoints.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (features.kind(static_cast<Index>(f), k) != FeatureKind::None)
+      {
+        angles[mesh.facetPoints[f][k]] = std::numeric_limits<double>::infinity();
+        angles[mesh.facetPoints[f][(k + 1) % 3]] = std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+  std::vector<Index> apexes;
+  for (Index p = 0; p < mesh.numberOfPoints(); ++p)
+  {
+    if (angles[p] <= mostAngleAtApex)
+    {
+      apexes.push_back(p);
+    }
+  }
+  return apexes;
+}
+
 Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const RunControl& control,
   std::vector<FacetNormal>* borrowed)
 {
@@ -272,6 +315,7 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
   cutAlongFeatures(mesh, features);
   if (!control.cancelled())
   {
+    features.apexes = findApexes(mesh, features, options.spacing);
     traceCurves(mesh, features);
   }
   return features;

@@ -29,6 +29,13 @@ void traceCurves(const SurfaceMesh& mesh, Features& features);
 void cutAlongFeatures(SurfaceMesh& mesh, Features& features);
 
 /**
+ * The points away from features around which the facets' angles sum to no more than at the tip of a
+ * cone with sides 45 degrees from its axis, and all edges are longer than the spacing: what a mesh
+ * does not have there it cuts off. Where edges are shorter, it may be noise. Ascending. O(F).
+ */
+std::vector<Index> findApexes(const SurfaceMesh& mesh, const Features& features, double spacing);
+
+/**
  * All of it: edges, small ones dropped, corners, curves, fans and patches. Of no use, and neither
  * is the mesh, when cancelled; the control is asked between and within these steps.
  *

@@ -47,11 +47,15 @@ struct Features
   std::vector<FeatureCurve> curves;
   std::vector<Index> corners;      ///< points of the surface, ascending
   std::vector<Index> pinches;      ///< corners where parts of it meet in just the point, ascending
+  std::vector<Index> apexes;       ///< tips of cones: points without feature edges, ascending
   std::vector<Index> facetPatches; ///< F
   Index numberOfPatches = 1;
   Index droppedEdges = 0; ///< creases too small for the spacing, sides of needles, and steps
 
-  bool any() const { return !this->curves.empty() || !this->corners.empty(); }
+  bool any() const
+  {
+    return !this->curves.empty() || !this->corners.empty() || !this->apexes.empty();
+  }
   FeatureKind kind(Index facet, int k) const
   {
     return this->kinds[this->edges.facetEdges[facet][k]];

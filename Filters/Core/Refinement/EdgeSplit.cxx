@@ -8,6 +8,7 @@
 
 #include "Features/FeatureGraph.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace remesh
@@ -116,8 +117,8 @@ private:
   void split(Index facet)
   {
     const Triple& sides = m_edges.facetEdges[facet];
-    const std::array<bool, 3> split{ m_wanted.marked[sides[0]] != 0,
-      m_wanted.marked[sides[1]] != 0, m_wanted.marked[sides[2]] != 0 };
+    const std::array<bool, 3> split{ m_wanted.marked[sides[0]] != 0, m_wanted.marked[sides[1]] != 0,
+      m_wanted.marked[sides[2]] != 0 };
     const Parts parts = partsOf(split, longestSide(sides, m_wanted));
     for (int p = 0; p < parts.count; ++p)
     {
@@ -184,6 +185,11 @@ private:
   void inheritKinds(const RunControl& control)
   {
     Features& features = *m_surface.features;
+    for (Index& apex : features.apexes)
+    {
+      apex = m_pointNumbers[apex];
+    }
+    std::sort(features.apexes.begin(), features.apexes.end());
     features.edges = buildEdgeTable(m_surface.mesh.facetPoints, control);
     features.kinds.assign(
       static_cast<std::size_t>(features.edges.numberOfEdges()), FeatureKind::None);

@@ -25,6 +25,11 @@ namespace
 constexpr double longest = 2.0;
 /** Of the spacing: how far the linear map may be from what the normals are. */
 constexpr double mostDeviation = 0.1;
+/**
+ * Of the angle between a given normal and the facet's plane: beyond 45 degrees it is that of a tip,
+ * and nothing that the inside of the facet comes near to.
+ */
+constexpr double leastCosine = 0.7071;
 /** Of the rounding of coordinates: facets that are lower are not split. */
 constexpr double leastRoundings = 64.0;
 
@@ -241,7 +246,8 @@ private:
       Eigen::Matrix<double, 6, 3> places;
       for (int k = 0; k < 3; ++k)
       {
-        places.col(k) << mesh.points[mesh.facetPoints[f][k]], m_s * m_normals[mesh.facetCorners[f][k]];
+        places.col(k) << mesh.points[mesh.facetPoints[f][k]],
+          m_s * m_normals[mesh.facetCorners[f][k]];
       }
       area += triangleArea(places.col(0).data(), places.col(1).data(), places.col(2).data(), 6);
     }
@@ -263,8 +269,8 @@ private:
       const Triple& corners = mesh.facetCorners[other];
       const int k = edges.sideOf(other, edge);
       const int next = (k + 1) % 3;
-      const bool isJoined = (corners[k] == a && corners[next] == b) ||
-        (corners[k] == b && corners[next] == a);
+      const bool isJoined =
+        (corners[k] == a && corners[next] == b) || (corners[k] == b && corners[next] == a);
       if (isJoined)
       {
         const Normals own = m_splitNormals.of(surface.origins[other]);
@@ -296,18 +302,25 @@ OwnNormals::OwnNormals(const SurfaceMesh& mesh, const std::vector<FacetNormal>& 
 
 std::array<Point3, 3> OwnNormals::of(Index facet) const
 {
+  const Point3 plane = normalOf(m_mesh, m_borrowed, static_cast<std::size_t>(facet));
   if (!m_given)
   {
-    const Point3 normal = normalOf(m_mesh, m_borrowed, static_cast<std::size_t>(facet));
-    return { normal, normal, normal };
+    return { plane, plane, plane };
   }
-  std::array<Point3, 3> own;
   const std::array<Offset, 3> inputs = m_mesh.facetInputPoints[facet];
+  std::array<Point3, 3> own;
+  std::array<bool, 3> areNear{};
   for (int k = 0; k < 3; ++k)
   {
     const Point3 normal = (*m_given)[inputs[k]].stableNormalized();
     const bool counts = !m_cutPoints[m_mesh.facetPoints[facet][k]] && normal.squaredNorm() > 0.5;
     own[k] = counts ? normal : m_normals[m_mesh.facetCorners[facet][k]];
+    areNear[k] = own[k].dot(plane) >= leastCosine;
+  }
+  const bool anyNear = areNear[0] || areNear[1] || areNear[2];
+  for (int k = 0; k < 3 && anyNear; ++k)
+  {
+    own[k] = areNear[k] ? own[k] : plane;
   }
   return own;
 }
@@ -322,11 +335,11 @@ bool refineForNormals(const OwnNormals& own, const Features* features, double s,
   refined = wholeSurface(own.mesh(), features);
   const SplitNormals splitNormals(own);
   Criterion criterion(splitNormals, s, sites);
-  const RefinementLimits limits{ facetsPerFacet * own.mesh().numberOfFacets() +
-    facetsPerSite * sites };
-  const bool any = refine(
-    [&](const RefinedSurface& surface, const EdgeTable& edges, EdgesToSplit& wanted)
-    { criterion(surface, edges, wanted); },
+  const RefinementLimits limits{ std::min<Offset>(facetsPerFacet * own.mesh().numberOfFacets() +
+      facetsPerSite * std::min(sites, Offset(maximumIndex)),
+    maximumIndex) };
+  const bool any = refine([&](const RefinedSurface& surface, const EdgeTable& edges,
+                            EdgesToSplit& wanted) { criterion(surface, edges, wanted); },
     limits, control, refined);
   if (any)
   {
