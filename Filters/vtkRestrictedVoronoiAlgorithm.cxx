@@ -244,6 +244,11 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
         return status;
       }
       options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
+      if ((request.embedding || request.metric || request.density) &&
+        options.placement == remesh::VertexPlacement::Fit)
+      {
+        options.placement = remesh::VertexPlacement::HeldFit; // the spacing is the user's
+      }
       options.keepDiagram = writesDiagram || !hasNumber;
       request.numberOfSites = sites ? sites->GetNumberOfPoints() : options.numberOfSites;
       request.mayLend = true;

@@ -108,9 +108,11 @@ public:
    * - CENTROID: at the centroids of their cells, which lie inside of a bent surface;
    * - SURFACE_POINT: at the surface's points closest to those;
    * - QUADRIC: where the cell's facets, as planes, are closest;
-   * - FIT (default): where all triangles together are closest to the surface, by least squares,
-   *   as far as no triangle turns over or collapses. The distance to the surface is about a third
-   *   of that of CENTROID.
+   * - FIT (default): where all triangles together are closest to the surface, by least squares that
+   *   weigh their shapes in the embedding, too, as far as no triangle turns over or collapses. The
+   *   distance to the surface is about a third of that of CENTROID. With an embedding
+   *   array, a metric or a density, points slide along the surface only as far as edges and
+   *   triangles stay as even in it as they are, but for 1 %.
    *
    * Points where a triangle would face against the surface are put elsewhere in all cases, first
    * one by one and then together with those around, then nearer to the centroids, and only where

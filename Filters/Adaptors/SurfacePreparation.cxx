@@ -390,6 +390,7 @@ Status prepareSurface(vtkPolyData* input, const PreparationRequest& request,
   const RunControl& control, PreparedSurface& prepared)
 {
   prepared = PreparedSurface{};
+  prepared.isEmbeddingGiven = request.embedding || request.metric;
   for (vtkDataArray* array : { request.normals, request.embedding, request.metric })
   {
     if (array)

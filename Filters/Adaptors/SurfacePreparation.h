@@ -86,6 +86,7 @@ struct PreparedSurface
   std::optional<double> smoothingRadius;
   CornerCoordinates coordinates; ///< C x d, the caller's units; empty where not to be kept
   EmbeddedSurface surface;
+  bool isEmbeddingGiven = false; ///< by an array, or a metric: not made from positions and normals
   std::optional<MetricFit> metricFit; ///< where there is a metric
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
   std::optional<Features> features;

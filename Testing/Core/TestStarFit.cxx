@@ -187,17 +187,20 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b)
 /** A system that has been assembled before keeps its memory, and nothing else. */
 void checkRounds(const PlacementProblem& problem, const std::vector<Point3>& positions)
 {
-  const std::vector<Point3>& shapes = problem.components.centroids;
+  const std::vector<Point3>& others = problem.components.centroids;
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  CellForms cells;
+  CHECK(measureCells(problem, RunControl(), cells));
+  const FitTask task{ problem, stars, cells };
   FitSamples samples(problem, samplesPerVertex);
   FitSystem once = makeFitSystem(problem);
   FitSystem again = once;
   RunControl shuffled;
   shuffled.schedule = Schedule::ShuffledBlocks;
   const auto assemble = [&](const std::vector<Point3>& places, FitSystem& system)
-  { CHECK(assembleFit(problem, stars, places, shapes, samples, shuffled, system)); };
-  CHECK(assembleFit(problem, stars, positions, shapes, samples, RunControl(), once));
-  assemble(shapes, again);
+  { CHECK(assembleFit(task, places, samples, shuffled, system)); };
+  CHECK(assembleFit(task, positions, samples, RunControl(), once));
+  assemble(others, again);
   CHECK(!again.blockSums.empty());
   const TriangleSums* const memory = again.blockSums.front().sums.data();
   CHECK(!sameBytes(once.vertexBlocks, again.vertexBlocks));
@@ -208,6 +211,9 @@ void checkRounds(const PlacementProblem& problem, const std::vector<Point3>& pos
   CHECK(sameBytes(once.slopes, again.slopes));
   CHECK(sameBytes(once.weights, again.weights));
   CHECK(sameBytes(once.triangleNormals, again.triangleNormals));
+  CHECK(sameBytes(once.errors.squared, again.errors.squared));
+  CHECK(sameBytes(once.errors.weights, again.errors.weights));
+  CHECK_EQUAL(once.errors.farthest, again.errors.farthest);
 }
 }
 

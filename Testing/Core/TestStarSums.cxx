@@ -5,6 +5,7 @@
 #include "TestLanes.h"
 #include "TestSupport.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -136,7 +137,10 @@ Sums plainlySummed(const Star& star)
         sums.slopes[k][l] += weight * b[k] * residual * normal[l];
         sums.slopes[k][3 + l] += weight * b[k] * normal[l];
       }
+      sums.slopes[k][6] += weight * b[k] * residual * residual;
+      sums.slopes[k][7] += weight * b[k];
     }
+    sums.farthest = std::max(sums.farthest, residual * residual);
   }
   return result;
 }

@@ -4,7 +4,10 @@
 #include "Support/Random.h"
 #include "TestTrials.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 using namespace remesh;
 using namespace remesh::test;
@@ -106,6 +109,63 @@ void testNoise()
   CHECK(smoothed < 0.95 * distanceOf(surface, 0.0, -1));
   CHECK(smoothed < 0.75 * distanceOf(surface, 0.05, 0));
 }
+
+/** Where a torus is put in R^4: about 3 times as long around the tube as along it. */
+std::array<double, 4> torusLift(const Point3& place)
+{
+  const double u = std::atan2(place[1], place[0]);
+  const double v = std::atan2(place[2], std::hypot(place[0], place[1]) - 1.0);
+  const double ring = 1.0 + 0.4 * std::cos(v);
+  return { ring * std::cos(u), ring * std::sin(u), 1.2 * std::cos(v), 1.2 * std::sin(v) };
+}
+
+/** Share of the triangles' edges that are 0.71 to 1.41 times as long in R^4 as the mean. */
+double evenEdges(vtkPolyData* mesh)
+{
+  std::vector<double> lengths;
+  forEachPolygon(mesh,
+    [&](vtkIdType, const std::vector<vtkIdType>& ids)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto a = torusLift(Point3(mesh->GetPoint(ids[k])));
+        const auto b = torusLift(Point3(mesh->GetPoint(ids[(k + 1) % 3])));
+        double squared = 0.0;
+        for (int c = 0; c < 4; ++c)
+        {
+          squared += (a[c] - b[c]) * (a[c] - b[c]);
+        }
+        lengths.push_back(std::sqrt(squared));
+      }
+    });
+  const auto count = static_cast<double>(lengths.size());
+  const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / count;
+  const auto even = std::count_if(lengths.begin(), lengths.end(),
+    [mean](double length)
+    { return length > std::sqrt(0.5) * mean && length < std::sqrt(2.0) * mean; });
+  return static_cast<double>(even) / count;
+}
+
+/** In an embedding of one's own, edges are as even as it says, wherever the surface bends most. */
+void testGivenEmbedding()
+{
+  const TriangleSoup soup = torus(1.0, 0.4, 120, 60);
+  vtkNew<vtkDoubleArray> lifted;
+  lifted->SetName("Lifted");
+  lifted->SetNumberOfComponents(4);
+  for (const Point3& point : soup.points)
+  {
+    lifted->InsertNextTuple(torusLift(point).data());
+  }
+  const auto input = polyDataOf(soup);
+  input->GetPointData()->AddArray(lifted);
+  vtkNew<vtkAnisotropicRemesher> remesher;
+  remesher->SetInputData(input);
+  remesher->SetNumberOfPoints(1000);
+  remesher->SetEmbeddingArray("Lifted");
+  remesher->Update();
+  CHECK(evenEdges(remesher->GetOutput()) > 0.99); // at the centroids 1, where free 0.98
+}
 }
 
 int TestMeshQuality(int, char*[])
@@ -113,5 +173,6 @@ int TestMeshQuality(int, char*[])
   testCells();
   testEllipsoid();
   testNoise();
+  testGivenEmbedding();
   return result();
 }

@@ -13,6 +13,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -83,7 +84,7 @@ vtkIdType factOf(vtkAnisotropicRemesher* filter, const char* name)
 /** Sheets closer than the sagitta of their triangles, here and there or everywhere. */
 void testStrays()
 {
-  for (const double radius : { 0.97, 0.99 })
+  for (const double radius : { 0.965, 0.99 })
   {
     const auto input = polyDataOf(shellOf(radius));
     const auto filter = remesherOf(input, 100);
@@ -162,7 +163,7 @@ void testFlipped()
 }
 
 /** A sphere with spikes that a few points cannot follow. */
-void testFarMesh()
+TriangleSoup spikySphere()
 {
   TriangleSoup spiky = icosphere(5);
   for (Point3& point : spiky.points)
@@ -170,11 +171,81 @@ void testFarMesh()
     const Point3 wave = (6.0 * point).array().sin();
     point *= 1.0 + 0.5 * wave.prod();
   }
-  const auto filter = remesherOf(polyDataOf(spiky), 30);
+  return spiky;
+}
+
+void testFarMesh()
+{
+  const auto filter = remesherOf(polyDataOf(spikySphere()), 20);
   filter->SetAnisotropy(0.0);
-  checkWarning("a spiky sphere", filter, "The mesh is far from the surface");
+  checkWarning("a spiky sphere", filter, "Its 20 points are too few for the surface's bends");
   filter->MeasureDistanceOff();
   checkWarning("a spiky sphere, not measured", filter, "");
+}
+
+/** A surface with an embedding of its own, point by point. */
+template <class Lift>
+vtkSmartPointer<vtkAnisotropicRemesher> embeddedRemesher(
+  const TriangleSoup& soup, vtkIdType points, const Lift& lift)
+{
+  vtkNew<vtkDoubleArray> embedding;
+  embedding->SetName("Lifted");
+  embedding->SetNumberOfComponents(3);
+  for (const Point3& point : soup.points)
+  {
+    embedding->InsertNextTuple(Point3(lift(point)).data());
+  }
+  const auto input = polyDataOf(soup);
+  input->GetPointData()->AddArray(embedding);
+  const auto filter = remesherOf(input, points);
+  filter->SetEmbeddingArray("Lifted");
+  return filter;
+}
+
+/**
+ * With an embedding that makes triangles 20 times as large on one side as on the other, or ten
+ * times as long as wide, there is nothing to tell as long as the points do for the surface's bends.
+ */
+void testGivenEmbeddings()
+{
+  const auto invert = [](const Point3& point)
+  {
+    const Point3 way = point - Point3(0.0, 0.0, 1.25);
+    return Point3(way / way.squaredNorm());
+  };
+  checkWarning("a graded sphere", embeddedRemesher(icosphere(5), 300, invert), "");
+  const auto stretch = [](const Point3& point)
+  { return Point3(point[0], point[1], 10.0 * point[2]); };
+  checkWarning("a stretched sphere", embeddedRemesher(icosphere(5), 300, stretch), "");
+  const auto same = [](const Point3& point) { return point; };
+  checkWarning("a spiky sphere as it is", embeddedRemesher(spikySphere(), 20, same),
+    "Its 20 points are too few where the given embedding is smallest");
+}
+
+/** Where features have most of the points, they are named. */
+void testFarForFeatures()
+{
+  NumberOutcome outcome;
+  RemeshResult& mesh = outcome.result;
+  mesh.placement.positions = { Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(1, 1, 0) };
+  mesh.dual.triangles = { { 0, 1, 2 }, { 1, 3, 2 } };
+  mesh.components.sites = { 0, 1, 2, 3 };
+  mesh.featureSites.points.resize(3);
+  mesh.wantedVertices = 4;
+  mesh.distance.emplace();
+  const auto warningsAt = [&](double rms)
+  {
+    mesh.distance->forward.rms = rms;
+    mesh.distance->backward.rms = rms;
+    RemeshOptions options;
+    options.numberOfSites = 4;
+    return warningsOf(outcome, options, true);
+  };
+  CHECK(beginWith(warningsAt(0.06 * std::sqrt(2.0)), {}));
+  const auto warnings = warningsAt(0.08 * std::sqrt(2.0));
+  CHECK(
+    beginWith(warnings, { "The mesh is far from the surface: the RMS distance is 0.11, 0.08" }));
+  CHECK(!warnings.empty() && warnings[0].find("take 3 of its 4 points") != std::string::npos);
 }
 
 void testNothingToTell()
@@ -235,6 +306,8 @@ int TestWarnings(int, char*[])
   testNumbersOfWrongTriangles();
   testFlipped();
   testFarMesh();
+  testGivenEmbeddings();
+  testFarForFeatures();
   testUnfitArrays();
   testSitesOfAnotherDimension();
   testToleranceWithSites();

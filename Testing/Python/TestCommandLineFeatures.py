@@ -137,7 +137,8 @@ class TestFeatures(CommandLineTest):
                                        (45, ["--feature-angle", "60"], False), (30, [], False),
                                        (30, ["--feature-angle", "29"], True)):
             with self.subTest(degrees=degrees, options=options):
-                mesh, report = self.remesh(roof(degrees), "--points", "150", *options)
+                mesh, report = self.remesh(roof(degrees), "--points", "150",
+                                           "--placement", "centroid", *options)
                 expected = float(options[1]) if options else 35
                 self.assertEqual(report["parameters"]["feature_angle"], expected)
                 self.assertEqual(number_across(mesh, 0) == 0, kept)

@@ -81,7 +81,7 @@ class TestExamplePictures(unittest.TestCase):
         self.assertLess(kept, cut)
 
     def test_embedding(self):
-        even, followed = numbers(self.draw("embedding", "--points", "500", panels=3))
+        even, followed = numbers(self.draw("embedding", "--points", "1500", panels=3))
         self.assertLess(followed, 0.8 * even)
 
     def test_paper_figures(self):

@@ -94,12 +94,12 @@ Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surfac
 }
 
 /** The quadrics' minima, as near to them as no triangle is spoilt. */
-Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point3>& start,
-  const RunControl& control, std::vector<Point3>& positions)
+Status approachQuadrics(const PlacementProblem& problem, const CellForms& cells,
+  const std::vector<Point3>& start, const RunControl& control, std::vector<Point3>& positions)
 {
-  if (Status status = placeByQuadrics(problem, control, positions); !status.ok())
+  if (!placeByQuadrics(problem, cells, control.silent(), positions))
   {
-    return status;
+    return Status::cancelled();
   }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   // Against their own normals: shapes alone do not tell a triangle from its mirror image.
@@ -307,20 +307,27 @@ Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const 
 {
   const std::vector<Point3> start = startingPlaces(problem, positions);
   positions = start;
-  Status status = Status::success();
-  if (way == VertexPlacement::Quadric || way == VertexPlacement::Fit)
+  if (way == VertexPlacement::Centroid)
   {
-    status = approachQuadrics(problem, start, control.step(0, 2), positions);
+    return Status::success();
   }
-  if (status.ok() && way == VertexPlacement::Fit)
-  {
-    status = fitToSurface(problem, start, control.step(1, 2), positions);
-  }
-  if (status.ok() && way == VertexPlacement::Surface)
+  if (way == VertexPlacement::Surface)
   {
     positions = placesOnSurface(problem, locations, start);
+    return Status::success();
   }
-  return status;
+  CellForms cells;
+  if (!measureCells(problem, control.step(0, 2), cells))
+  {
+    return Status::cancelled();
+  }
+  const Status status = approachQuadrics(problem, cells, start, control.silent(), positions);
+  if (!status.ok() || way == VertexPlacement::Quadric)
+  {
+    return status;
+  }
+  const HeldShapes shapes{ start, way == VertexPlacement::HeldFit };
+  return fitToSurface(problem, cells, shapes, control.step(1, 2), positions);
 }
 
 Status mendPlaces(const PlacementProblem& problem, VertexPlacement way, const RunControl& control,

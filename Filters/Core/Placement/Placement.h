@@ -20,7 +20,8 @@ enum class VertexPlacement
   Centroid, ///< of the cell, by mass in R^d
   Surface,  ///< the point of the cell's facets closest to the centroid
   Quadric,  ///< see Quadric.h
-  Fit       ///< see SurfaceFit.h
+  Fit,      ///< see SurfaceFit.h
+  HeldFit   ///< the same, with vertices held along the surface where their cells are
 };
 
 struct Placement

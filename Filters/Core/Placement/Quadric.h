@@ -5,9 +5,7 @@
 #ifndef remesh_Quadric_h
 #define remesh_Quadric_h
 
-#include "Placement/PlacementProblem.h"
-#include "Support/RunControl.h"
-#include "Support/Status.h"
+#include "Placement/CellForms.h"
 
 namespace remesh
 {
@@ -19,10 +17,11 @@ namespace remesh
  * stays within the ball around the centroid that holds the centroids of the cell's pieces.
  *
  * @param positions K, of the centroids; replaced but at fixed vertices. R^3, unit of the points.
- * Cost: O(pieces). Parallel, deterministic.
+ * @return false when cancelled.
+ * Cost: O(K). Parallel, deterministic.
  */
-Status placeByQuadrics(
-  const PlacementProblem& problem, const RunControl& control, std::vector<Point3>& positions);
+[[nodiscard]] bool placeByQuadrics(const PlacementProblem& problem, const CellForms& forms,
+  const RunControl& control, std::vector<Point3>& positions);
 }
 
 #endif

@@ -47,8 +47,8 @@ struct Summation
     store(x, terms[11]);
     store(y, terms[12]);
     store(z, terms[13]);
-    store(Lanes{}, terms[14]);
-    store(Lanes{}, terms[15]);
+    store(weight * residual * residual, terms[14]);
+    store(weight, terms[15]);
   }
 
   [[gnu::always_inline]] static inline void addProduct(
@@ -62,8 +62,10 @@ struct Summation
 
   /** One sample, whose terms are in `lane` of their columns. */
   [[gnu::always_inline]] static inline void add(
-    const Terms& terms, int lane, const double (&b)[3], TriangleSums& sums)
+    const Terms& terms, double residual, int lane, const double (&b)[3], TriangleSums& sums)
   {
+    const double squared = residual * residual;
+    sums.farthest = squared > sums.farthest ? squared : sums.farthest;
     Lanes quadratic;
     Lanes linear;
     for (int k = 0; k < lanes; ++k)
@@ -137,9 +139,11 @@ struct Summation
     findTerms(normal, weight, feet.residual, terms);
     double firsts[lanes];
     double seconds[lanes];
+    double residuals[lanes];
     unsigned long long triangles[lanes];
     store(feet.first, firsts);
     store(feet.second, seconds);
+    store(feet.residual, residuals);
     std::memcpy(triangles, &feet.triangle, sizeof triangles);
     for (int lane = 0; lane < size; ++lane)
     {
@@ -153,7 +157,7 @@ struct Summation
       b[triangle.corner] = 1.0 - firsts[lane] - seconds[lane];
       b[next(triangle.corner)] = firsts[lane];
       b[next(next(triangle.corner))] = seconds[lane];
-      add(terms, lane, b, task.sums[triangle.sums]);
+      add(terms, residuals[lane], lane, b, task.sums[triangle.sums]);
     }
   }
 
@@ -195,6 +199,6 @@ void addSample(
   Summation::Terms terms;
   Summation::findTerms(around, Lanes{} + weight, Lanes{} + residual, terms);
   const double weights[3] = { b[0], b[1], b[2] };
-  Summation::add(terms, 0, weights, sums);
+  Summation::add(terms, residual, 0, weights, sums);
 }
 }

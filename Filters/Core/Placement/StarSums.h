@@ -29,8 +29,9 @@ struct TriangleSums
 {
   /** W b_i b_j (n n^T: xx xy xz yy yz zz; 1; 0), of the corners 00, 11, 22, 01, 12, 20. */
   double pairs[6][lanes];
-  /** W b_i (r n; n; 0 0), of the corners 0, 1, 2. */
+  /** W b_i (r n; n; r^2; 1), of the corners 0, 1, 2. */
   double slopes[3][lanes];
+  double farthest; ///< the greatest r^2
 };
 
 /** Adds the samples that lie right above a triangle, or below, each to the nearest of these. */
