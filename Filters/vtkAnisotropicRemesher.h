@@ -137,16 +137,26 @@ public:
    * points of the mesh, default on. Off, the mesh cuts across creases and shrinks from borders, and
    * it has more points than asked for where restricted cells are not connected.
    *
-   * Features take points of their own, which count among `NumberOfPoints` and do not move; where
-   * corners and bends need more than half of them, there is a warning. Curves close to each other
-   * get more, up to nine tenths in all, or up to three fifths where much of the surface is far from
-   * features; beyond that where cells reach from one to another, the topology fails, and no other
-   * points can be added for it. Creases that are small against the spacing of the points, or
-   * that zigzag and branch like noise, are not kept; neither are the sides of needles, triangles
-   * that stand out, but are lower than a fiftieth of the spacing, or than a fifth of it and than an
-   * eighth of their longest side. Their normals do not count where normals are estimated. Nor are
-   * the sides of single triangles, and pairs, kept that lie on their neighbors the wrong way round,
-   * nor the low steps of voxels where they bend at more points than are asked for.
+   * Features take points of their own, which count among `NumberOfPoints`. Along a crease or border
+   * they are as far apart as those of the mesh beside it, in the embedding; four fifths of that
+   * where it bends, and nearer where it turns by more than 23 degrees, or rises by more than a
+   * twentieth of an edge, from one to the next, or a distance tolerance asks for it. With an
+   * `EmbeddingArray` or a `MetricArray` they follow that alone. Bends get a third of the points at
+   * most, if there is room; where corners and bends need more than half, there is a warning. Curves
+   * close to each other have their points opposite each other where that takes few more, and get
+   * more where these are not enough to keep them apart.
+   *
+   * The points on creases and borders do not take part in the optimisation. With the vertex
+   * placement Fit they go across them to where the edges are closest to the surface's; else they
+   * are on them.
+   *
+   * Creases that are small against the spacing of the points, or that zigzag and branch like noise,
+   * are not kept; neither are the sides of needles, triangles that stand out, but are lower than a
+   * fiftieth of the spacing, or than a fifth of it and than an eighth of their longest side. Their
+   * normals do not count where normals are estimated. Nor are the sides of single triangles, and
+   * pairs, kept that lie on their neighbors the wrong way round, nor the low steps of voxels where
+   * they bend at more points than are asked for. Where these are between a two hundredth and a
+   * quarter of the length of all creases, a warning tells which.
    *
    * Not with given initial sites.
    */

@@ -72,7 +72,7 @@ Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outco
   }
   finer = FinerCreases{};
   Offset sites = request.preparation.sitesForFeatures;
-  for (Index dropped = prepared.droppedCreases; finer.sites == 0 && dropped > 0;)
+  for (Index dropped = prepared.dropped.edges; finer.sites == 0 && dropped > 0;)
   {
     sites *= growth;
     options.spacing = meanSpacing(whole, sites);
@@ -86,7 +86,7 @@ Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outco
     {
       return Status::cancelled();
     }
-    if (fine.droppedEdges < dropped &&
+    if (fine.dropped.edges < dropped &&
       shareOn(facetsAtNewFeatures(mesh, coarse, fine), outcome, farCells) >= leastShare)
     {
       EmbeddedSurface surface; // bends do not depend on more than the place
@@ -96,10 +96,11 @@ Status findFinerCreases(const NumberRequest& request, const NumberOutcome& outco
         return status;
       }
       finer.sites = sites;
-      sampleCurves({ mesh, surface, fine }, outcome.result.components.count(), mostCurveError,
-        control, finer.neededPoints);
+      CurveSampler sampler(
+        { mesh, surface, fine }, { outcome.result.components.count(), mostCurveError });
+      finer.neededPoints = sampler.limitBends(control);
     }
-    dropped = fine.droppedEdges;
+    dropped = fine.dropped.edges;
   }
   return control.cancelled() ? Status::cancelled() : Status::success();
 }

@@ -214,6 +214,7 @@ struct NumberRun
 Status remeshWithNumber(
   NumberRequest request, RemeshOptions& options, const RunControl& control, NumberOutcome& outcome)
 {
+  options.curvesFollowBends = !request.preparation.embedding && !request.preparation.metric;
   NumberRun run{ request, options, outcome };
   Status status = run.makeWithRadii(control);
   outcome.result.seconds = run.seconds;

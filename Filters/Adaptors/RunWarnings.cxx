@@ -10,6 +10,10 @@ namespace remesh
 {
 namespace
 {
+// Of the length of all creases, dropped ones:
+constexpr double leastDropped = 0.005;
+constexpr double mostDropped = 0.25;
+
 /**
  * The RMS distance of a mesh that follows its surface, as shares of the mean spacing of its points
  * and of its triangles' length: beyond both, triangles are as large as what they should follow.
@@ -99,6 +103,40 @@ void tellDistance(const NumberOutcome& outcome, std::vector<std::string>& warnin
   }
 }
 
+/**
+ * Creases of a part that are missed. Where many are left out, they are the noise of a scan, or a thin
+ * rim that is rounded, which is nothing to tell; where few are, there is hardly a place where one
+ * sees it.
+ */
+void tellDroppedCreases(const PreparedSurface& prepared, std::vector<std::string>& warnings)
+{
+  const DroppedCreases& dropped = prepared.dropped;
+  const double all = dropped.length + dropped.keptLength;
+  const double share = all > 0.0 ? dropped.length / all : 0.0;
+  if (!(share > leastDropped && share < mostDropped))
+  {
+    return;
+  }
+  std::ostringstream warning;
+  warning.precision(2);
+  warning << "Not all creases are kept: " << dropped.edges << " edges, " << 100.0 * share
+          << " percent of their length, are left out. ";
+  if (dropped.sidesOfNeedles > 0)
+  {
+    warning << dropped.sidesOfNeedles << " of them run along triangles that are narrower than a "
+            << "fifth of the spacing of the points. ";
+  }
+  if (dropped.edges > dropped.sidesOfNeedles)
+  {
+    warning << dropped.edges - dropped.sidesOfNeedles << " are of creases that are short against "
+            << "it, or branch and zigzag like noise. ";
+  }
+  warning.precision(4);
+  warning << "The longest is at (" << dropped.place.x() << ", " << dropped.place.y() << ", "
+          << dropped.place.z() << "). More points help.";
+  warnings.push_back(warning.str());
+}
+
 void tellWrongTriangles(const RemeshResult& result, std::vector<std::string>& warnings)
 {
   if (const Offset flipped = result.placement.repair.flippedTriangles; flipped > 0)
@@ -128,6 +166,10 @@ std::vector<std::string> warningsOf(
   if (!options.optimize)
   {
     return warnings;
+  }
+  if (hasNumber)
+  {
+    tellDroppedCreases(outcome.prepared, warnings);
   }
   if (hasNumber && result.emptyCells > 0)
   {

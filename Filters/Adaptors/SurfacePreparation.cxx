@@ -87,7 +87,7 @@ Status takeFeatures(vtkPolyData* input, const PreparationRequest& request,
     return Status::cancelled();
   }
   prepared.charts = std::move(options.cornerCharts);
-  prepared.droppedCreases = features.droppedEdges;
+  prepared.dropped = features.dropped;
   if (features.any() || features.numberOfPatches > 1)
   {
     prepared.features = std::move(features);

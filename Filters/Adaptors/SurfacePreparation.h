@@ -91,7 +91,7 @@ struct PreparedSurface
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
   std::optional<Features> features;
   std::vector<Triple> charts; ///< F x 3, see FeatureOptions; empty: there are no seams among them
-  Index droppedCreases = 0;   ///< that are too small for the sites, sides of needles, and steps
+  DroppedCreases dropped;     ///< too small for the sites, sides of needles, and steps
   std::vector<vtkAbstractArray*> usedArrays; ///< those given as normals or embedding
   std::vector<std::string> warnings;
 

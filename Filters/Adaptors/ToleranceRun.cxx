@@ -222,7 +222,7 @@ struct ToleranceRun
   {
     goesOn = false;
     const Offset any = this->tolerance.mostPoints;
-    if (this->prepared.droppedCreases == 0)
+    if (this->prepared.dropped.edges == 0)
     {
       return this->refine(any, control, reached);
     }

@@ -4,6 +4,9 @@
 #include "Optimization/FixedSites.h"
 #include "Optimization/Lloyd.h"
 #include "Optimization/SiteOrder.h"
+#include "Placement/CurveFit.h"
+#include "Placement/StepLimit.h"
+#include "Placement/TriangleShape.h"
 #include "RemeshDual.h"
 #include "RemeshStart.h"
 #include "Voronoi/RestrictedVoronoi.h"
@@ -82,7 +85,10 @@ void fixAtApexes(const Task& task, std::vector<char>& fixed, RemeshResult& resul
   const std::vector<Index>& apexes = task.features->apexes;
   const std::vector<Index>& vertices = result.components.apexes;
   std::vector<Point3>& positions = result.placement.positions;
-  positions = result.components.centroids;
+  if (positions.empty())
+  {
+    positions = result.components.centroids;
+  }
   for (std::size_t k = 0; k < apexes.size(); ++k)
   {
     if (vertices[k] != noIndex && !fixed[vertices[k]])
@@ -93,17 +99,50 @@ void fixAtApexes(const Task& task, std::vector<char>& fixed, RemeshResult& resul
   }
 }
 
-/** Vertices on features stay where they are, and those at apexes come there. */
+/** Vertices on features, as near to where their edges are closest to these as none is spoilt. */
+Status placeOnFeatures(const Task& task, const PlacementProblem& problem, const RunControl& control,
+  RemeshResult& result)
+{
+  std::vector<Point3> places;
+  if (!fitCurves(task.featured(), result.featureSites, control, places))
+  {
+    return Status::cancelled();
+  }
+  const std::vector<Point3>& start = result.components.centroids;
+  std::vector<Point3> goals = start;
+  for (std::size_t point = 0; point < places.size(); ++point)
+  {
+    if (const Index vertex = result.seams.components[point]; vertex != noIndex)
+    {
+      goals[vertex] = places[point];
+    }
+  }
+  const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  const std::vector<Point3> normals = normalsOf(problem.triangles, start);
+  const bool done = limitSteps(problem, stars, { start, normals }, start, control, goals);
+  result.placement.positions = std::move(goals);
+  return done ? Status::success() : Status::cancelled();
+}
+
+/** Vertices on features are fitted to these first, those at apexes come there, and both stay. */
 Status place(const Task& task, const RunControl& control, RemeshResult& result)
 {
   Stopwatch watch;
   std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
-  fixAtApexes(task, fixed, result);
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   const VertexPlacement way = task.options.placement;
-  Status status =
-    choosePlaces(problem, way, control.step(0, 2), result.locations, result.placement.positions);
+  Status status = Status::success();
+  if (task.features && (way == VertexPlacement::Fit || way == VertexPlacement::HeldFit))
+  {
+    status = placeOnFeatures(task, problem, control.silent(), result);
+  }
+  fixAtApexes(task, fixed, result);
+  if (status.ok())
+  {
+    status =
+      choosePlaces(problem, way, control.step(0, 2), result.locations, result.placement.positions);
+  }
   if (!task.options.keepDiagram)
   {
     keepFacetsAlone(result.diagram); // as long as they are of use

@@ -5,9 +5,11 @@
  * surface -> sites -> Lloyd -> quasi-Newton -> restricted Voronoi diagram -> components -> dual
  * -> vertices placed
  *
- * With features, the sites on them come first and stay (Features/), so many that curves close to
- * each other are kept apart (CurveSeparation.h); the others are drawn patch by patch, and the
- * patches' duals are sewn together along the curves (Delaunay/Collar.h).
+ * With features, the sites on them come first and stay (Features/), as far apart as the others will
+ * be (CurveSampling.h), and so many that curves close to each other are kept apart
+ * (CurveSeparation.h); the others are drawn patch by patch, and the patches' duals are sewn
+ * together along the curves (Delaunay/Collar.h). Their vertices are fitted to the curves
+ * (CurveFit.h).
  *
  * Where the dual is not proven to be like the surface (Delaunay/Certificate.h), or triangles are
  * flipped, sites are moved there; where a cell reaches a feature curve, its site joins the curve;
@@ -63,6 +65,8 @@ struct RemeshOptions
   double mostComponents = std::numeric_limits<double>::infinity();
   /** How far curves of the mesh may be from those of the surface at most; unit of the points. */
   double mostCurveError = std::numeric_limits<double>::infinity();
+  /** Whether features get more points where they bend; else embedded length alone decides. */
+  bool curvesFollowBends = true;
   /** False: the diagram is freed when the vertices are placed, which leaves room for the rest. */
   bool keepDiagram = true;
 };
@@ -78,7 +82,7 @@ struct RemeshResult
   Components components;
   FeatureSites featureSites;      ///< the first sites; none without features
   Offset wantedVertices = 0;      ///< that there should be
-  Offset neededFeaturePoints = 0; ///< that corners and bends of the features take at least
+  Offset neededFeaturePoints = 0; ///< that corners and bends of the features take alone
   double shareApart = 1.0;        ///< of the surface, farther than the spacing from features
   bool curvesAreApart = false;    ///< as far as that was possible; else there was no room for it
   Seams seams;                    ///< edges of the mesh along features among it

@@ -1,6 +1,7 @@
 #include "RemeshStart.h"
 
 #include "Embedding/Distance.h"
+#include "Features/CurveAlignment.h"
 #include "Features/CurveSampling.h"
 #include "Features/CurveSeparation.h"
 #include "Features/PatchSampling.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace remesh
@@ -21,6 +23,13 @@ constexpr Offset growth = 4; // times as many sites, where each pair of neighbou
 constexpr Offset fewestCoarse = 100;
 constexpr Offset fewestForFixed = 20; // sites in all: beside fixed ones nothing grows
 constexpr Offset probes = 4000;       // of the surface
+constexpr int mostSamplings = 3;      // of the curves
+constexpr double fewOthers = 0.005;   // of all points, from one sampling to the next
+/**
+ * Times the points on curves, to keep these apart. Where it takes more, parts go through each other
+ * as a rule, and nothing is apart with more, either.
+ */
+constexpr double mostForApart = 1.5;
 constexpr int coarseLloyd = 2;
 constexpr int coarseNewton = 8;
 
@@ -47,26 +56,44 @@ double shareApart(
   return static_cast<double>(apart) / static_cast<double>(places.count());
 }
 
-/** The sites on the features. */
+/**
+ * The sites on the features. What comes to keep curves apart is known when they are sampled; then
+ * they are sampled again, at the spacing that is left with so many more, until it hardly changes.
+ */
 Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult& result)
 {
-  const RemeshOptions& options = task.options;
+  const auto number = static_cast<double>(task.options.numberOfSites);
   const FeaturedSurface featured = task.featured();
-  const Stations stations = sampleCurves(
-    featured, options.numberOfSites, options.mostCurveError, control, result.neededFeaturePoints);
-  if (control.cancelled())
+  const std::vector<char> all(featured.features.curves.size(), 1);
+  CurveSampler sampler(featured,
+    { task.options.numberOfSites, task.options.mostCurveError, task.options.curvesFollowBends });
+  result.neededFeaturePoints = sampler.limitBends(control);
+  Offset others = 0;
+  for (int round = 0; round < mostSamplings && !control.cancelled(); ++round)
   {
-    return Status::cancelled();
+    sampler.findSpacing(others, control);
+    if (control.cancelled())
+    {
+      break;
+    }
+    const Offset sampled = countFeaturePoints(featured.features, sampler.stations());
+    result.featureSites = makeFeatureSites(featured, sampler.stations());
+    alignCurves(featured, control, sampler, result.featureSites);
+    const Index aligned = result.featureSites.numberOfPoints();
+    result.shareApart =
+      shareApart(task.surface, result.featureSites.sites, sampler.spacing(), control);
+    const Offset most =
+      std::min(task.mostPointsOnFeatures(task.options.numberOfSites, result.shareApart),
+        static_cast<Offset>(mostForApart * aligned));
+    const Index added =
+      separateCurves(featured, all, most, sampler.spacing(), control, result.featureSites);
+    result.curvesAreApart = added > 0 && result.featureSites.numberOfPoints() < most;
+    const Offset before = std::exchange(others, result.featureSites.numberOfPoints() - sampled);
+    if (std::abs(static_cast<double>(others - before)) <= fewOthers * number)
+    {
+      break;
+    }
   }
-  result.featureSites = makeFeatureSites(featured, stations);
-  const double spacing =
-    std::sqrt(task.surface.siteMeasure / static_cast<double>(options.numberOfSites));
-  result.shareApart = shareApart(task.surface, result.featureSites.sites, spacing, control);
-  const Offset most = task.mostPointsOnFeatures(options.numberOfSites, result.shareApart);
-  const Index added =
-    separateCurves(featured, std::vector<char>(featured.features.curves.size(), 1), most, spacing,
-      control, result.featureSites);
-  result.curvesAreApart = added > 0 && result.featureSites.numberOfPoints() < most;
   result.sites = result.featureSites.sites;
   return control.cancelled() ? Status::cancelled() : Status::success();
 }

@@ -249,11 +249,11 @@ void testPinches()
 /** So it is where three sheets meet on a line, also at its ends, where three borders end. */
 void testThreeSheets()
 {
-  const RemeshResult result = remeshed(test::threeSheets(), 200);
+  const RemeshResult result = remeshed(test::threeSheets(), 220);
   CHECK(!result.topology.preserved());
   CHECK(result.topology.certificate.holds());
   CHECK_EQUAL(result.topology.mesh.eulerCharacteristic, 1);
-  CHECK_EQUAL(result.components.count(), Index(200));
+  CHECK_EQUAL(result.components.count(), Index(220));
   CHECK_EQUAL(result.movedSites, 0);
 }
 }

@@ -1,5 +1,6 @@
-// Features/CurveSampling: it can be cancelled between any two tries, and then tries no more; places
-// at a distance from an end.
+// Features/CurveSampling: as many points on curves and beside them as there are to be, at one
+// spacing; few enough for small holes; it can be cancelled between any two tries, and then tries no
+// more; places at a distance from an end.
 
 #include "Features/CurveSampling.h"
 #include "Features/FeatureGraph.h"
@@ -38,10 +39,10 @@ Asked cancelledAt(
 {
   Asked asked;
   const RunControl control({}, [&]() { return asked.questions++ >= question; });
-  Offset needed = 0;
-  const Stations stations = sampleCurves(
-    { mesh, surface, features }, 100, std::numeric_limits<double>::infinity(), control, needed);
-  for (const std::vector<Station>& places : stations)
+  CurveSampler sampler({ mesh, surface, features }, { 100 });
+  sampler.limitBends(control);
+  sampler.findSpacing(0, control);
+  for (const std::vector<Station>& places : sampler.stations())
   {
     asked.points += static_cast<Offset>(places.size());
   }
@@ -76,14 +77,68 @@ void testRadius()
 }
 }
 
+namespace
+{
+/** A flat sheet: the row of half cells along its border is part of what there is to fill. */
+void testSheet()
+{
+  SurfaceMesh mesh = test::meshOf(test::gridPatch(10, 10));
+  const Features features = findFeatures(mesh, FeatureOptions());
+  const EmbeddedSurface surface = test::embedded(mesh, 3);
+  for (const Offset points : { 200, 2000, 20000 })
+  {
+    CurveSampler sampler({ mesh, surface, features }, { points });
+    CHECK_EQUAL(sampler.limitBends(RunControl()), 4); // the corners
+    for (const Offset others : { Offset(0), points / 10 })
+    {
+      sampler.findSpacing(others, RunControl());
+      const double h = sampler.spacing() * surface.unit;
+      const auto border = static_cast<double>(countFeaturePoints(features, sampler.stations()));
+      CHECK_NEAR(border, 4.0 / h, 4.0);
+      const double inside = (1.0 - 4.0 * h * std::sqrt(3.0) / 4.0) / (h * h * std::sqrt(0.75));
+      CHECK_NEAR(border + inside + static_cast<double>(others), points, 4.0 + 5e-3 * points);
+    }
+  }
+}
+
+/** A sheet with round holes much smaller than the spacing. */
+void testSmallHoles()
+{
+  constexpr int holes = 12;
+  TriangleSoup soup;
+  const TriangleSoup hole = test::ringInSquare(96, 0.05);
+  for (int k = 0; k < holes * holes; ++k)
+  {
+    test::append(soup, hole, Point3(2 * (k % holes), 2 * (k / holes), 0.0));
+  }
+  SurfaceMesh mesh = test::meshOf(soup);
+  const Features features = findFeatures(mesh, FeatureOptions());
+  const EmbeddedSurface surface = test::embedded(mesh, 3);
+  const auto pointsFor = [&](Offset points, double mostError)
+  {
+    CurveSampler sampler({ mesh, surface, features }, { points, mostError });
+    return sampler.limitBends(RunControl());
+  };
+  const double any = std::numeric_limits<double>::infinity();
+  const Offset all = pointsFor(100000, any);
+  CHECK_EQUAL(all, holes * holes * (16 + 4));
+  const Offset few = pointsFor(2 * all, any);
+  CHECK(3 * few <= 2 * all && 4 * few > 2 * all);
+  CHECK_EQUAL(pointsFor(100, any), holes * holes * (3 + 4)); // it takes no less
+  CHECK(pointsFor(100, 1e-5) > all);                         // what is asked for is kept
+}
+}
+
 int TestCurveSampling(int, char*[])
 {
   testRadius();
+  testSheet();
+  testSmallHoles();
   SurfaceMesh mesh = wavySheet();
   const Features features = findFeatures(mesh, FeatureOptions());
   const EmbeddedSurface surface = test::embedded(mesh, 3);
   const Asked whole = cancelledAt(1000, mesh, surface, features);
-  CHECK(whole.questions > 10); // there are many tries
+  CHECK(whole.questions >= 6); // there are some tries
   CHECK(whole.questions < 1000);
   CHECK(whole.points > 20);
   CHECK_EQUAL(cancelledAt(0, mesh, surface, features).points, 0);

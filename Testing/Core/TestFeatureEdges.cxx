@@ -88,7 +88,7 @@ void testStubs()
     const FeatureEdges found =
       findFeatureEdges(mesh, buildEdgeTable(mesh.facetPoints), options, RunControl());
     const auto creases = std::count(found.kinds.begin(), found.kinds.end(), FeatureKind::Crease);
-    CHECK_EQUAL(found.sidesOfNeedles, 3 - creases);
+    CHECK_EQUAL(found.sidesOfNeedles.size(), static_cast<std::size_t>(3 - creases));
     return creases;
   };
   CHECK_EQUAL(creasesOf(0.15), 3);
@@ -149,7 +149,7 @@ void testPairOfNeedles()
   {
     const Features features = featuresOf(points, triangles);
     CHECK_EQUAL(std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease), 2);
-    CHECK_EQUAL(features.droppedEdges, 3);
+    CHECK_EQUAL(features.dropped.edges, 3);
     std::swap(triangles[0], triangles[1]);
   }
 }
@@ -164,7 +164,7 @@ void testThinBesideLow()
                                          0.5 * (tip + end) + Point3(0.0, 0.0, 1e-8) },
     { { 0, 1, 4 }, { 4, 1, 5 }, { 0, 4, 2 }, { 4, 5, 2 }, { 5, 1, 2 }, { 1, 0, 3 } });
   CHECK_EQUAL(std::count(features.kinds.begin(), features.kinds.end(), FeatureKind::Crease), 1);
-  CHECK_EQUAL(features.droppedEdges, 0);
+  CHECK_EQUAL(features.dropped.edges, 0);
 }
 }
 

@@ -95,6 +95,25 @@ TriangleSoup wrappedGrid(int nu, int nv, bool closedInV, const Place& place)
   return makeSoup(std::move(points), std::move(triangles));
 }
 
+/** The unit square around the origin with a round hole; a multiple of 8 segments. */
+inline TriangleSoup ringInSquare(int segments, double radius)
+{
+  std::vector<Point3> points;
+  std::vector<std::array<Offset, 3>> triangles;
+  for (int k = 0; k < segments; ++k)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * k / segments;
+    const Point3 direction(std::cos(angle), std::sin(angle), 0.0);
+    points.push_back(radius * direction);
+    points.push_back(0.5 / direction.cwiseAbs().maxCoeff() * direction);
+    const Offset a = 2 * k;
+    const Offset b = 2 * ((k + 1) % segments);
+    triangles.push_back({ a, a + 1, b + 1 });
+    triangles.push_back({ a, b + 1, b });
+  }
+  return makeSoup(std::move(points), std::move(triangles));
+}
+
 /** A grid patch without the squares (column, row) of two triangles each. */
 inline TriangleSoup patchWithHoles(int n, const std::vector<std::pair<int, int>>& holes)
 {

@@ -1,6 +1,7 @@
 #include "Features/CurveSeparation.h"
 
 #include "Features/CurveLevel.h"
+#include "Features/CurveStretches.h"
 #include "Voronoi/NeighborSearch.h"
 
 #include <algorithm>
@@ -26,8 +27,6 @@ struct Intruder
   double excess; ///< by how much the site is nearer, the most of all places; of squared distances
 };
 
-using Coordinates = Eigen::Map<const Eigen::VectorXd>;
-
 /** Finds the intruders of all curves. */
 class Watch
 {
@@ -41,63 +40,35 @@ public:
 
   std::vector<Intruder> find()
   {
-    std::size_t station = 0;
-    for (const CollarEdge& collar : m_sites.collar)
-    {
-      station = collar.segment == 0 ? 0 : station;
-      for (Offset i = m_featured.features.edges.edgeFacetsBegin[collar.edge];
-           i < m_featured.features.edges.edgeFacetsBegin[collar.edge + 1]; ++i)
-      {
-        this->watchSide(collar, m_featured.features.edges.edgeFacets[i], station);
-      }
-      station += collar.changes.size();
-    }
+    forEachStretch(m_featured, m_sites, [&](const Stretch& stretch) { this->watch(stretch); });
     return std::move(m_intruders);
   }
 
 private:
-  /** One side of an edge, the stretches of its sites one after the other. */
-  void watchSide(const CollarEdge& collar, Index facet, std::size_t station)
+  void watch(const Stretch& stretch)
   {
-    const int k = m_featured.features.edges.sideOf(facet, collar.edge);
-    const bool forward = m_featured.mesh.facetPoints[facet][k] == collar.start;
-    const Triple& corners = m_featured.mesh.facetCorners[facet];
-    const Index start = corners[forward ? k : (k + 1) % 3];
-    const Index end = corners[forward ? (k + 1) % 3 : k];
-    m_start = Coordinates(m_featured.surface.corner(start), m_featured.surface.dimension);
-    m_along = Coordinates(m_featured.surface.corner(end), m_featured.surface.dimension) - m_start;
-    Index owner = collar.first;
-    double begin = 0.0;
-    for (const CollarEdge::Change& change : collar.changes)
-    {
-      this->watchStretch(collar, owner, station++, begin, change.t);
-      owner = change.to;
-      begin = change.t;
-    }
-    this->watchStretch(collar, owner, station, begin, 1.0);
-  }
-
-  void watchStretch(
-    const CollarEdge& collar, Index owner, std::size_t station, double begin, double end)
-  {
-    const Eigen::VectorXd middle = this->placeAt(0.5 * (begin + end));
-    const Eigen::VectorXd site = this->coordinates(nearestCopy(m_sites, owner, middle));
-    const double half = 0.5 * (end - begin) * m_along.norm();
+    const double begin = stretch.begin;
+    const double end = stretch.end;
+    const Eigen::VectorXd middle = stretch.placeAt(0.5 * (begin + end));
+    const Eigen::VectorXd site =
+      coordinatesOf(m_sites, nearestCopy(m_sites, stretch.owner, middle));
+    const double half = 0.5 * (end - begin) * stretch.along.norm();
     const double radius =
-      std::max((this->placeAt(begin) - site).norm(), (this->placeAt(end) - site).norm());
+      std::max((stretch.placeAt(begin) - site).norm(), (stretch.placeAt(end) - site).norm());
     m_search.within(middle.data(), half + radius, m_near);
     for (const Neighbor& near : m_near)
     {
       const Index point = m_sites.pointOfSite[near.site];
-      if (point == owner || this->isNext(collar.curve, station, point))
+      if (point == stretch.owner ||
+        isNextTo(m_featured, m_sites, stretch.collar.curve, stretch.station, point))
       {
         continue;
       }
       // The difference of both squared distances is linear along the edge.
-      const Eigen::VectorXd other = this->coordinates(near.site);
+      const Coordinates other = coordinatesOf(m_sites, near.site);
       const auto excessAt = [&](double t)
       {
-        const Eigen::VectorXd place = this->placeAt(t);
+        const Eigen::VectorXd place = stretch.placeAt(t);
         return (place - site).squaredNorm() - (place - other).squaredNorm();
       };
       const double atBegin = excessAt(begin);
@@ -113,50 +84,22 @@ private:
       {
         (atBegin < 0.0 ? first : last) = begin + (end - begin) * atBegin / (atBegin - atEnd);
       }
-      const double length2 = m_along.squaredNorm();
-      const double foot = length2 > 0.0 ? (other - m_start).dot(m_along) / length2 : begin;
-      this->note(collar, near.site, std::min(std::max(foot, first), last), most);
+      this->note(stretch, near.site, std::min(std::max(stretch.footOf(other), first), last), most);
     }
   }
 
-  void note(const CollarEdge& collar, Index site, double t, double excess)
+  void note(const Stretch& stretch, Index site, double t, double excess)
   {
+    const Index curve = stretch.collar.curve;
     const Index other = m_sites.points[m_sites.pointOfSite[site]].curve;
-    Intruder intruder{ collar.curve, other, { collar.segment, t }, {}, excess };
-    const FeatureCurve& curve = m_featured.features.curves[collar.curve];
-    if (t >= 1.0 && collar.segment + 1 < static_cast<Index>(curve.edges.size()))
-    {
-      intruder.foot = { collar.segment + 1, 0.0 };
-    }
-    intruder.level =
-      levelWith(m_featured, m_sites, site, intruder.curve, intruder.foot, this->placeAt(t));
-    m_intruders.push_back(intruder);
+    const Station foot = stretch.stationAt(t, m_featured.features.curves[curve]);
+    const Station level = levelWith(m_featured, m_sites, site, curve, foot, stretch.placeAt(t));
+    m_intruders.push_back({ curve, other, foot, level, excess });
   }
-
-  /** Whether a feature point is one of those before and after a station. */
-  bool isNext(Index curve, std::size_t station, Index point) const
-  {
-    const std::vector<Index>& points = m_sites.curvePoints[curve];
-    const std::size_t last = points.size() - 1;
-    const bool around = !m_featured.features.curves[curve].hasCorners;
-    return (station > 0 && points[station - 1] == point) ||
-      (station < last && points[station + 1] == point) ||
-      (around && station == 0 && points[last - 1] == point) ||
-      (around && station == last && points[1] == point);
-  }
-
-  Coordinates coordinates(Index site) const
-  {
-    return Coordinates(m_sites.sites.site(site), m_featured.surface.dimension);
-  }
-
-  Eigen::VectorXd placeAt(double t) const { return m_start + t * m_along; }
 
   FeaturedSurface m_featured;
   const FeatureSites& m_sites;
   NeighborSearch m_search;
-  Eigen::VectorXd m_start; ///< of the edge on the side that is watched
-  Eigen::VectorXd m_along;
   std::vector<Neighbor> m_near;
   std::vector<Intruder> m_intruders;
 };

@@ -17,6 +17,10 @@ struct Station
   Index segment;
   double t; ///< [0, 1); 1 only at the very end of a curve
 
+  bool operator==(const Station& other) const
+  {
+    return this->segment == other.segment && this->t == other.t;
+  }
   bool operator<(const Station& other) const
   {
     return this->segment != other.segment ? this->segment < other.segment : this->t < other.t;

@@ -339,20 +339,22 @@ FeatureEdges findFeatureEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   features.borrowed = borrowedNormals(shapes, normals);
   features.kinds.resize(static_cast<std::size_t>(edges.numberOfEdges()));
   features.angles.resize(features.kinds.size(), 0.0F);
+  std::vector<char> leftOut(features.kinds.size(), 0);
   const auto findKind = [&](Offset item)
   {
     const auto edge = static_cast<Index>(item);
     features.kinds[edge] = judge.kindOf(edge, features.angles[edge]);
-  };
-  const auto isLeftOut = [&](Offset item)
-  {
-    return features.kinds[item] == FeatureKind::None &&
-      judge.isSharpByNeedle(static_cast<Index>(item));
+    leftOut[edge] = features.kinds[edge] == FeatureKind::None && judge.isSharpByNeedle(edge);
   };
   if (forEachItem(edges.numberOfEdges(), control, findKind))
   {
-    const Offset leftOut = countItems(edges.numberOfEdges(), control, isLeftOut);
-    features.sidesOfNeedles = static_cast<Index>(std::max(leftOut, Offset(0)));
+    for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
+    {
+      if (leftOut[edge])
+      {
+        features.sidesOfNeedles.push_back(edge);
+      }
+    }
   }
   return features;
 }

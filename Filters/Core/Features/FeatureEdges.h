@@ -32,7 +32,7 @@ struct FeatureEdges
   /** E, between the facets' normals, radians; 0 below `weakShare` of the angle, and at other edges.
    */
   std::vector<float> angles;
-  Index sidesOfNeedles = 0; ///< that are left out, see findFeatureEdges
+  std::vector<Index> sidesOfNeedles; ///< edges that are left out, see findFeatureEdges; ascending
   /** Facets without a normal of their own, ascending, with those they take. */
   std::vector<FacetNormal> borrowed;
 };
@@ -69,9 +69,9 @@ bool isSeam(const SurfaceMesh& mesh, const EdgeTable& edges,
  * edges, borders of labels and seams stay, and creases between them as short as they may be, unless
  * they zigzag or branch.
  *
- * @return the number of edges dropped. O(F).
+ * O(F).
  */
-Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
+void dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, FeatureEdges& features);
 
 /**

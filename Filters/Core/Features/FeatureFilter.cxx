@@ -28,7 +28,7 @@ constexpr double leastStraight = 1.5;
 constexpr double leastStrong = 1.5;
 constexpr double leastFine = 5.0; // of edges much shorter than the spacing
 constexpr double leastWiggle = 12.0;
-constexpr double leastSpur = 1.5;
+constexpr double leastBranch = 1.5;
 
 constexpr double fineEdge = 0.7;        // mean length, in spacings
 constexpr double strongAngle = 1.05;    // radians, mean along the crease
@@ -42,7 +42,7 @@ constexpr double mostPerSpacing = 0.3;
 // Of noise so strong that its edges hang together everywhere: real creases turn by half as much.
 constexpr double noisyTurn = 0.7;
 constexpr double noisyPerEdge = 0.2; // points where not just two features meet
-constexpr Index fewestNoisyTurns = 20;
+constexpr Index fewestNoisyPoints = 20;
 
 /** What is known of one connected set of droppable edges. */
 struct Cluster
@@ -60,7 +60,7 @@ struct Cluster
 bool isNoise(const Cluster& cluster, double spacing)
 {
   const double meanTurn = cluster.turns > 0 ? cluster.turning / cluster.turns : 0.0;
-  if (cluster.turns >= fewestNoisyTurns && meanTurn > noisyTurn &&
+  if (cluster.turns + cluster.irregular >= fewestNoisyPoints && meanTurn > noisyTurn &&
     cluster.irregular > noisyPerEdge * cluster.edges)
   {
     return true;
@@ -241,7 +241,7 @@ private:
  * Drops the creases around facets that lie on their neighbours the wrong way round: defects,
  * however large, but not the bases of low pyramids, which lie on what is no larger.
  */
-Index dropTurnedBack(const CreaseGraph& graph, const EdgeTable& edges, FeatureEdges& features)
+void dropTurnedBack(const CreaseGraph& graph, const EdgeTable& edges, FeatureEdges& features)
 {
   const TurnedBackFacets turned(graph, edges, features.angles);
   std::vector<Index> dropped;
@@ -260,63 +260,114 @@ Index dropTurnedBack(const CreaseGraph& graph, const EdgeTable& edges, FeatureEd
     features.kinds[edge] = FeatureKind::None;
     features.angles[edge] = 0.0F; // no gap is bridged along it
   }
-  return static_cast<Index>(dropped.size());
 }
 
-/** Removes dead ends that branch off another feature within less than `longest`. */
-Index dropSpurs(const CreaseGraph& graph, double longest, std::vector<FeatureKind>& kinds)
+/** Features from one point where not just two of them meet to the next. */
+struct Chain
 {
-  Index dropped = 0;
-  std::vector<Index> chain;
+  std::pair<Index, Index> ends; ///< ascending
+  std::vector<Index> edges;
+  double length = 0.0;
+  double strength = 0.0; ///< sum of length times the angle between the facets
+  bool droppable = true;
+};
+
+/** Follows a chain from its end, as far as it is shorter than `longest`. */
+Chain followChain(
+  const CreaseGraph& graph, const std::vector<float>& angles, Index end, Index edge, double longest)
+{
+  Chain chain;
+  Index at = end;
+  while (true)
+  {
+    const double length = graph.length(edge);
+    chain.edges.push_back(edge);
+    chain.length += length;
+    chain.strength += length * angles[edge];
+    chain.droppable = chain.droppable && graph.droppable[edge];
+    at = graph.other(edge, at);
+    if (graph.degree(at) != 2 || chain.length >= longest)
+    {
+      break;
+    }
+    edge = graph.at(at, graph.at(at, 0) == edge ? 1 : 0);
+  }
+  chain.ends = std::minmax(end, at);
+  return chain;
+}
+
+/** Those that are shorter, by their ends, those of the same ends the weakest first. */
+std::vector<Chain> shortChains(
+  const CreaseGraph& graph, const std::vector<float>& angles, double longest)
+{
+  std::vector<Chain> chains;
   for (Index p = 0; p < graph.mesh.numberOfPoints(); ++p)
   {
-    if (graph.degree(p) != 1)
+    const Index degree = graph.degree(p);
+    for (Index k = 0; k < degree && degree != 2; ++k)
     {
-      continue;
-    }
-    chain.clear();
-    double length = 0.0;
-    Index at = p;
-    Index edge = graph.at(p, 0);
-    while (true)
-    {
-      chain.push_back(edge);
-      length += graph.length(edge);
-      at = graph.other(edge, at);
-      if (graph.degree(at) != 2 || length >= longest || !graph.droppable[edge])
+      Chain chain = followChain(graph, angles, p, graph.at(p, k), longest);
+      const bool isFirst = chain.ends.first < chain.ends.second
+        ? p == chain.ends.first
+        : chain.edges.front() <= chain.edges.back(); // a ring, found from both of its ends
+      if (chain.length < longest && isFirst)
       {
-        break;
+        chains.push_back(std::move(chain));
       }
-      edge = graph.at(at, graph.at(at, 0) == edge ? 1 : 0);
     }
-    const bool droppable =
-      std::all_of(chain.begin(), chain.end(), [&](Index e) { return graph.droppable[e] != 0; });
-    if (length < longest && graph.degree(at) > 2 && droppable)
+  }
+  std::stable_sort(chains.begin(), chains.end(),
+    [](const Chain& a, const Chain& b)
+    { return a.ends != b.ends ? a.ends < b.ends : a.strength * b.length < b.strength * a.length; });
+  return chains;
+}
+
+/**
+ * Removes what branches off another feature within less than `longest`: dead ends, and of chains
+ * that go the same way all but the strongest, and those that come back to where they begin.
+ *
+ * @return whether there were any.
+ */
+bool dropBranches(const CreaseGraph& graph, const std::vector<float>& angles, double longest,
+  std::vector<FeatureKind>& kinds)
+{
+  const std::vector<Chain> chains = shortChains(graph, angles, longest);
+  bool dropped = false;
+  for (std::size_t k = 0; k < chains.size(); ++k)
+  {
+    const Chain& chain = chains[k];
+    const auto [a, b] = chain.ends;
+    const bool branches = std::max(graph.degree(a), graph.degree(b)) > 2;
+    const bool isLoose = std::min(graph.degree(a), graph.degree(b)) == 1;
+    const bool isDouble = k + 1 < chains.size() && chains[k + 1].ends == chain.ends;
+    if (chain.droppable && branches && (isLoose || isDouble || a == b))
     {
-      for (const Index e : chain)
+      for (const Index edge : chain.edges)
       {
-        kinds[e] = FeatureKind::None;
+        kinds[edge] = FeatureKind::None;
       }
-      dropped += static_cast<Index>(chain.size());
+      dropped = true;
     }
   }
   return dropped;
 }
 }
 
-Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
+void dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, FeatureEdges& features)
 {
   std::vector<FeatureKind>& kinds = features.kinds;
   if (!(options.spacing > 0.0))
   {
-    return 0;
+    return;
   }
   CreaseGraph graph = makeCreaseGraph(mesh, edges, options, kinds);
-  Index dropped = dropTurnedBack(graph, edges, features);
+  dropTurnedBack(graph, edges, features);
   graph.listAround(kinds);
-  dropped += dropSpurs(graph, leastSpur * options.spacing, kinds);
-  graph.listAround(kinds);
+  while (dropBranches(graph, features.angles, leastBranch * options.spacing, kinds))
+  {
+    graph.listAround(kinds); // others may come to light
+  }
   DisjointSets sets(mesh.points.size());
   const std::vector<Cluster> clusters = measureClusters(graph, features.angles, sets);
   for (std::size_t e = 0; e < kinds.size(); ++e)
@@ -325,9 +376,7 @@ Index dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
       isNoise(clusters[sets.find(graph.ends[e][0])], options.spacing))
     {
       kinds[e] = FeatureKind::None;
-      ++dropped;
     }
   }
-  return dropped;
 }
 }

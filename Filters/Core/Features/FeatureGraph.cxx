@@ -1,6 +1,7 @@
 #include "Features/FeatureGraph.h"
 
 #include "Features/CreaseGraph.h"
+#include "Features/DroppedCreases.h"
 #include "Support/DisjointSets.h"
 
 #include <Eigen/Geometry>
@@ -19,6 +20,26 @@ constexpr double leastCosineOfTurn = 0.5; // sharper turns are corners
 /** Radians, around a point: of a cone whose sides are 45 degrees from its axis. */
 constexpr double mostAngleAtApex = 4.4429;
 
+/** From a point along an edge and on, as far as features go there without a fork, or so far. */
+Point3 placeAlong(const CreaseGraph& graph, Index point, Index edge, double distance)
+{
+  Index at = graph.other(edge, point);
+  double length = graph.length(edge);
+  while (length < distance && graph.degree(at) == 2 && at != point)
+  {
+    edge = graph.at(at, graph.at(at, 0) == edge ? 1 : 0);
+    at = graph.other(edge, at);
+    length += graph.length(edge);
+  }
+  return graph.mesh.points[at];
+}
+
+bool turnsSharply(const Point3& from, const Point3& at, const Point3& to)
+{
+  return (at - from).stableNormalized().dot((to - at).stableNormalized()) < leastCosineOfTurn;
+}
+
+/** Sharp turns are no corners where they are those of a curve that zigzags. */
 bool isCorner(const Features& features, const CreaseGraph& graph, Index point)
 {
   if (graph.degree(point) != 2)
@@ -32,9 +53,10 @@ bool isCorner(const Features& features, const CreaseGraph& graph, Index point)
     return true;
   }
   const std::vector<Point3>& points = graph.mesh.points;
-  const Point3 in = (points[point] - points[graph.other(a, point)]).stableNormalized();
-  const Point3 out = (points[graph.other(b, point)] - points[point]).stableNormalized();
-  return in.dot(out) < leastCosineOfTurn;
+  const Point3& at = points[point];
+  return turnsSharply(points[graph.other(a, point)], at, points[graph.other(b, point)]) &&
+    turnsSharply(placeAlong(graph, point, a, features.spacing), at,
+      placeAlong(graph, point, b, features.spacing));
 }
 
 /** Follows a curve from a point along an edge, to the next corner or round to where it began. */
@@ -58,6 +80,23 @@ FeatureCurve follow(const Features& features, const CreaseGraph& graph,
     edge = graph.at(at, 0) == edge ? graph.at(at, 1) : graph.at(at, 0);
   }
   return curve;
+}
+
+/**
+ * Lets a closed curve begin where it is farthest in some direction, none that parts have: so curves
+ * that are like each other, as both rims of a plate, begin opposite each other.
+ */
+void beginAtExtreme(const std::vector<Point3>& points, FeatureCurve& curve)
+{
+  const Point3 direction(0.6180, 0.7320, 0.2360);
+  const auto nearer = [&](Index a, Index b)
+  { return points[a].dot(direction) < points[b].dot(direction); };
+  curve.points.pop_back();
+  const auto first =
+    std::max_element(curve.points.begin(), curve.points.end(), nearer) - curve.points.begin();
+  std::rotate(curve.points.begin(), curve.points.begin() + first, curve.points.end());
+  std::rotate(curve.edges.begin(), curve.edges.begin() + first, curve.edges.end());
+  curve.points.push_back(curve.points.front());
 }
 }
 
@@ -95,6 +134,7 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
     {
       features.curves.push_back(
         follow(features, graph, corners, graph.ends[e][0], static_cast<Index>(e), used));
+      beginAtExtreme(mesh.points, features.curves.back());
       features.curves.back().hasCorners = false;
     }
   }
@@ -286,6 +326,7 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
 {
   const RunControl silent = control.silent();
   Features features;
+  features.spacing = options.spacing;
   features.edges = buildEdgeTable(mesh.facetPoints, silent);
   if (control.cancelled())
   {
@@ -296,13 +337,14 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
   {
     return features;
   }
-  features.droppedEdges =
-    found.sidesOfNeedles + dropSmallFeatures(mesh, features.edges, options, found);
-  if (const Index steps = dropSteps(mesh, features.edges, options, silent, found); steps > 0)
+  const std::vector<FeatureKind> all = found.kinds;
+  dropSmallFeatures(mesh, features.edges, options, found);
+  if (dropSteps(mesh, features.edges, options, silent, found) > 0)
   {
-    features.droppedEdges += steps + dropSmallFeatures(mesh, features.edges, options, found);
+    dropSmallFeatures(mesh, features.edges, options, found);
   }
   bridgeGaps(mesh, features.edges, options, found);
+  features.dropped = tellDropped(mesh, features.edges, all, found);
   features.kinds = std::move(found.kinds);
   if (borrowed)
   {

@@ -11,8 +11,8 @@ namespace remesh
 {
 /**
  * Strings the feature edges together. Corners are the points where not just two of them meet, two
- * of different kinds meet, a curve turns sharply (by more than 60 degrees), or the surface is
- * pinched.
+ * of different kinds meet, a curve turns sharply (by more than 60 degrees, from point to point and
+ * over the spacing of the points to come), or the surface is pinched.
  *
  * Curves from corners come first, in the order of their corners and edges; then those without, in
  * the order of their edges. O(V + E).

@@ -10,6 +10,7 @@
 #define remesh_Features_h
 
 #include "Mesh/EdgeTable.h"
+#include "Mesh/SurfaceMesh.h"
 
 #include <cstdint>
 
@@ -35,6 +36,16 @@ struct FeatureCurve
   bool closed() const { return this->points.front() == this->points.back(); }
 };
 
+/** Creases that are left out, as points at the spacing cannot follow them. */
+struct DroppedCreases
+{
+  Index edges = 0;
+  Index sidesOfNeedles = 0;      ///< of them; the others are short, like noise, or steps of voxels
+  double length = 0.0;           ///< of them all; unit of the points
+  double keptLength = 0.0;       ///< of the creases that are features
+  Point3 place = Point3::Zero(); ///< the middle of the longest of them
+};
+
 struct Features
 {
   EdgeTable edges;                ///< over the surface's points
@@ -50,7 +61,8 @@ struct Features
   std::vector<Index> apexes;       ///< tips of cones: points without feature edges, ascending
   std::vector<Index> facetPatches; ///< F
   Index numberOfPatches = 1;
-  Index droppedEdges = 0; ///< creases too small for the spacing, sides of needles, and steps
+  double spacing = 0.0; ///< of the points to come; 0: not known
+  DroppedCreases dropped;
 
   bool any() const
   {

@@ -12,17 +12,11 @@ namespace remesh
 {
 namespace
 {
-constexpr double cellArea = 0.86602540378443864676; // of a hexagon, over the spacing squared
-constexpr double halfRow = 0.43301270189221932338;  // height of a border cell, over the spacing
+constexpr double halfRow = 0.43301270189221932338; // height of a border cell, over the spacing
 constexpr Offset leastClosed = SpareSites::leastOfClosed;
 constexpr int halvings = 60;
 
-/** In lengths as a density scales them. */
-struct PatchSizes
-{
-  std::vector<double> area;
-  std::vector<double> border; ///< length of the features around it, both sides of a slit
-};
+}
 
 PatchSizes measurePatches(const FeaturedSurface& featured)
 {
@@ -45,6 +39,24 @@ PatchSizes measurePatches(const FeaturedSurface& featured)
   return sizes;
 }
 
+double PatchSizes::demand(std::size_t patch, double spacing) const
+{
+  const double rows = halfRow * spacing * this->border[patch];
+  return std::max(0.0, (this->area[patch] - rows) / (cellArea * spacing * spacing));
+}
+
+double PatchSizes::totalDemand(double spacing) const
+{
+  double sum = 0.0;
+  for (std::size_t p = 0; p < this->area.size(); ++p)
+  {
+    sum += this->demand(p, spacing);
+  }
+  return sum;
+}
+
+namespace
+{
 /** The free sites that each patch cannot do without. */
 std::vector<Offset> leastCounts(
   const PatchSizes& sizes, const EmbeddedSurface& surface, const FeatureSites& featureSites)
@@ -68,23 +80,6 @@ std::vector<Offset> leastCounts(
   }
   return least;
 }
-
-/** Free sites that a patch takes at some spacing, before rounding. */
-double demand(const PatchSizes& sizes, std::size_t patch, double spacing)
-{
-  return std::max(0.0,
-    (sizes.area[patch] - halfRow * spacing * sizes.border[patch]) / (cellArea * spacing * spacing));
-}
-
-double totalDemand(const PatchSizes& sizes, double spacing)
-{
-  double sum = 0.0;
-  for (std::size_t p = 0; p < sizes.area.size(); ++p)
-  {
-    sum += demand(sizes, p, spacing);
-  }
-  return sum;
-}
 }
 
 std::vector<Offset> shareOutSites(
@@ -95,14 +90,14 @@ std::vector<Offset> shareOutSites(
   const auto n = static_cast<double>(std::max(wanted, Offset(0)));
   double high = std::sqrt(surface.siteMeasure / (cellArea * std::max(n, 1.0))); // less than n fit
   double low = high;
-  for (int k = 0; k < halvings && totalDemand(sizes, low) < n; ++k)
+  for (int k = 0; k < halvings && sizes.totalDemand(low) < n; ++k)
   {
     low *= 0.5;
   }
   for (int k = 0; k < halvings; ++k)
   {
     const double middle = 0.5 * (low + high);
-    (totalDemand(sizes, middle) < n ? high : low) = middle;
+    (sizes.totalDemand(middle) < n ? high : low) = middle;
   }
   // Rounded down, then up where the most was lost; lower patches first at a tie.
   const std::size_t patches = sizes.area.size();
@@ -112,7 +107,7 @@ std::vector<Offset> shareOutSites(
   Offset given = 0;
   for (std::size_t p = 0; p < patches; ++p)
   {
-    const double exact = n > 0.0 ? demand(sizes, p, high) : 0.0;
+    const double exact = n > 0.0 ? sizes.demand(p, high) : 0.0;
     counts[p] = static_cast<Offset>(exact);
     lost[p] = exact - static_cast<double>(counts[p]);
     if (counts[p] < least[p])

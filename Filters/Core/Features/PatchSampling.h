@@ -10,6 +10,26 @@
 
 namespace remesh
 {
+constexpr double cellArea = 0.86602540378443864676; ///< of a hexagon, over the spacing squared
+
+/** The patches' sizes, in lengths as a density scales them. */
+struct PatchSizes
+{
+  std::vector<double> area;
+  std::vector<double> border; ///< length of the features around it, both sides of a slit
+
+  /**
+   * Free sites that a patch takes at some spacing, before rounding: as many as fill its area, less
+   * the rows of half cells that the sites on its borders have.
+   */
+  double demand(std::size_t patch, double spacing) const;
+  /** Of all patches. */
+  double totalDemand(double spacing) const;
+};
+
+/** O(F). */
+PatchSizes measurePatches(const FeaturedSurface& featured);
+
 /**
  * Shares the free sites out to the patches. Sites do not leave their patch, so this must be right
  * from the start: each patch gets as many as fill its area at one common spacing, less the rows of
