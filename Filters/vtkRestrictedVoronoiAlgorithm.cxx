@@ -244,7 +244,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
         return status;
       }
       options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
-      if ((request.embedding || request.metric || request.density) &&
+      if ((request.embedding || request.metric) &&
         options.placement == remesh::VertexPlacement::Fit)
       {
         options.placement = remesh::VertexPlacement::HeldFit; // the spacing is the user's

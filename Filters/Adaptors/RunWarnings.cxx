@@ -104,9 +104,8 @@ void tellDistance(const NumberOutcome& outcome, std::vector<std::string>& warnin
 }
 
 /**
- * Creases of a part that are missed. Where many are left out, they are the noise of a scan, or a thin
- * rim that is rounded, which is nothing to tell; where few are, there is hardly a place where one
- * sees it.
+ * Creases of a part that are missed. Where many are left out, they are the noise of a scan, or a
+ * thin rim that is rounded: that is nothing to tell. Fewer can hardly be seen.
  */
 void tellDroppedCreases(const PreparedSurface& prepared, std::vector<std::string>& warnings)
 {

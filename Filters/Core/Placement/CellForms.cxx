@@ -61,7 +61,8 @@ void measureCell(const PlacementProblem& problem, Index vertex, CellForms& forms
     forms.quadrics[vertex] += area * symmetricProduct(normal, normal);
     forms.slopes[vertex] += (area * normal.dot(a - center)) * normal;
     forms.normals[vertex] += area * normal;
-    metric += area * facetMetric(problem, facet, normal);
+    const double scale = problem.surface.lengthScale(facet);
+    metric += area * scale * scale * facetMetric(problem, facet, normal);
     const double* w = integral.weights;
     const Point3 middle = (w[0] * a + w[1] * b + w[2] * c) / (w[0] + w[1] + w[2]);
     radius2 = std::max(radius2, (middle - center).squaredNorm());

@@ -19,9 +19,9 @@ struct CellForms
   std::vector<Point3> normals;              ///< K, sum of a n
   std::vector<double> radii;                ///< K, how far the pieces' centres are from centroids
   /**
-   * K, the mean of the metrics that R^d gives the facets, scaled units, each as a tensor of R^3
-   * that takes normals for as long as the geometric mean of the plane's directions. Zero without
-   * area.
+   * K, the mean of the metrics that R^d and the density give the facets, scaled units: in them the
+   * sites are equally far apart. Each is a tensor of R^3 that takes normals for as long as the
+   * geometric mean of the plane's directions. Zero without area.
    */
   std::vector<Symmetric3<double>> metrics;
   /**
