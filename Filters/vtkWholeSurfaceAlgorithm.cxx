@@ -5,6 +5,7 @@
 #include "Adaptors/ChosenArrays.h"
 #include "Adaptors/InputOrder.h"
 #include "Adaptors/OutputPorts.h"
+#include "Adaptors/SharedInputs.h"
 #include "Adaptors/SurfaceGathering.h"
 #include "Adaptors/VTKCompatibility.h"
 #include "Adaptors/WholeData.h"
@@ -14,6 +15,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -28,6 +30,7 @@
 #include <vector>
 
 vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm()
+  : Inputs(std::make_unique<remesh::SharedInputs>())
 {
   this->AddObserver(vtkCommand::EndEvent, this, &vtkWholeSurfaceAlgorithm::ForgetAbort);
 }
@@ -393,6 +396,15 @@ int vtkWholeSurfaceAlgorithm::RequestDataObject(
     }
   }
   return 1;
+}
+
+int vtkWholeSurfaceAlgorithm::ModifyRequest(vtkInformation* request, int when)
+{
+  if (when == vtkExecutive::BeforeForward && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->Inputs->update(this, request);
+  }
+  return this->Superclass::ModifyRequest(request, when);
 }
 
 int vtkWholeSurfaceAlgorithm::RequestData(

@@ -46,7 +46,9 @@
  * - what a filter passes on (vtkGaussMapEmbedding, vtkSurfaceMeshComparison) comes in the order of
  *   the processes;
  * - `InputCellId` numbers the cells of the pieces one after the other, without ghost cells;
- * - an error or warning is told on the first process alone, and the execution fails on all.
+ * - an error or warning is told on the first process alone, and the execution fails on all;
+ * - where the input fails on any process, the filter executes on none, until the input or the time
+ *   that is asked for is another.
  *
  * @par Aborting:
  * `AbortExecute`, set by an observer or by another thread, ends an execution within a fraction of a
@@ -60,7 +62,14 @@
 #include "vtkFiltersAnisotropicRemeshingModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory>
+
 class vtkCommand;
+
+namespace remesh
+{
+class SharedInputs;
+}
 
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkWholeSurfaceAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -92,6 +101,8 @@ public:
 
   vtkTypeBool ProcessRequest(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int ModifyRequest(vtkInformation* request, int when) override;
 
 protected:
   vtkWholeSurfaceAlgorithm();
@@ -140,6 +151,7 @@ private:
   void ForgetAbort();
 
   bool DistributeOutputs = false;
+  const std::unique_ptr<remesh::SharedInputs> Inputs;
 };
 
 #endif

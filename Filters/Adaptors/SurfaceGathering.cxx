@@ -201,6 +201,34 @@ bool SurfaceGathering::worksHere() const
   return !this->Controller || this->Controller->GetLocalProcessId() == firstProcess;
 }
 
+int SurfaceGathering::agree(bool ready) const
+{
+  int missing = ready ? 0 : 1;
+  if (!this->Controller)
+  {
+    return missing;
+  }
+  if (!this->worksHere())
+  {
+    this->Controller->Send(&missing, 1, firstProcess, tag);
+    awaitFirst(this->Controller);
+    this->Controller->Receive(&missing, 1, firstProcess, tag);
+    return missing;
+  }
+  const int processes = this->Controller->GetNumberOfProcesses();
+  for (int process = 1; process < processes; ++process)
+  {
+    int other = 0;
+    this->Controller->Receive(&other, 1, process, tag);
+    missing += other;
+  }
+  for (int process = 1; process < processes; ++process)
+  {
+    this->Controller->Send(&missing, 1, process, tag);
+  }
+  return missing;
+}
+
 void SurfaceGathering::gather(const std::vector<bool>& takesPoints)
 {
   if (this->Controller)

@@ -5,12 +5,14 @@
  * Processes take part if a filter is asked for one piece on each of them, as by ParaView's servers.
  * Then each of these is called by all of them, in this order, or some wait for ever.
  *
- * 1. `gather`: the first process gets the pieces of all, leaf by leaf of composite data, in the
+ * 1. `agree`: whether the input could be made on all of them. Where it failed, VTK would not call
+ *    that process again, and the others would wait for it.
+ * 2. `gather`: the first process gets the pieces of all, leaf by leaf of composite data, in the
  *    order of the processes and without ghost cells. Points that several pieces have stay several:
  *    intake makes them one.
- * 2. The first process does the work.
- * 3. `finish`: the others learn how it went, and get their parts of the outputs if these are
- * spread.
+ * 3. The first process does the work.
+ * 4. `finish`: the others learn how it went, and get their parts of the outputs if these are
+ *    spread.
  *
  * While the first works, the others sleep where the processes are those of MPI.
  *
@@ -36,6 +38,12 @@ public:
   /** @param inputs one for each port, with one connection or none. */
   SurfaceGathering(vtkInformationVector** inputs, int numberOfInputs);
   ~SurfaceGathering();
+
+  /** Whether several processes share the work. */
+  bool isShared() const { return this->Controller != nullptr; }
+
+  /** @return the number of processes that are not ready, the same on all. */
+  int agree(bool ready) const;
 
   /** Whether this process does the work: the first, or the only one. */
   bool worksHere() const;

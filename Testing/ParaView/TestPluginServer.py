@@ -2,7 +2,7 @@
 
 Runs the remesher in the built-in server, then in a server of its own, which a command starts, on one
 process or several. Compares each array of each output but the times; progress and errors reach the
-client.
+client. Of several processes, one whose input fails is told, and no other waits for it.
 """
 import os
 import queue
@@ -81,8 +81,8 @@ def texts_of_progress():
     return seen
 
 
-def error_of_client(number_of_points):
-    """What the client's output window says of a number of points that is out of range."""
+def errors_of_client(pipeline):
+    """What the client's output window says of an update that fails."""
     path = os.path.join(OUTPUT_FOLDER, "server-errors.txt")
     window = vtkFileOutputWindow()
     window.SetFileName(path)
@@ -91,11 +91,39 @@ def error_of_client(number_of_points):
     vtkOutputWindow.SetInstance(window)
     verbosity = vtkLogger.GetCurrentVerbosityCutoff()
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # this error is wanted
-    AnisotropicRemesher(Input=Sphere(), NumberOfPoints=number_of_points).UpdatePipeline()
+    pipeline.UpdatePipeline()
     vtkLogger.SetStderrVerbosity(verbosity)
     vtkOutputWindow.SetInstance(before)
     with open(path) as file:
         return file.read()
+
+
+def write_ply(path):
+    """A tetrahedron."""
+    with open(path, "w") as file:
+        file.write("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                   "property float z\nelement face 4\nproperty list uchar int vertex_indices\n"
+                   "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
+
+
+def check_failing_input():
+    """A file that the first process cannot read: all end with one message, and read a good one."""
+    path = os.path.join(OUTPUT_FOLDER, "server-input.ply")
+    filters = (lambda source: AnisotropicRemesher(Input=source, NumberOfPoints=200),
+               lambda source: SurfaceMeshComparison(Input=source, Reference=Sphere()))
+    for make in filters:
+        with open(path, "w") as file:
+            file.write("no mesh\n")
+        source = PLYReader(FileNames=[path])
+        filtered = make(source)
+        text = errors_of_client(filtered)
+        assert text.count("could not be made on 1 of the processes") == 1, text
+        assert filtered.GetDataInformation().GetNumberOfPoints() == 0
+        write_ply(path)
+        ReloadFiles(source)
+        filtered.UpdatePipeline()
+        assert filtered.GetDataInformation().GetNumberOfPoints() > 0
 
 
 LoadPlugin(PLUGIN, remote=False, ns=globals())
@@ -118,5 +146,7 @@ print(len(here), "arrays are equal")
 progress = texts_of_progress()
 stages = {"Sampling", "Lloyd iterations", "Quasi-Newton iterations", "Vertex placement"}
 assert stages & set(progress), progress
-text = error_of_client(0)
+text = errors_of_client(AnisotropicRemesher(Input=Sphere(), NumberOfPoints=0))
 assert "at least" in text, text
+if len(PVSERVER) > 1:
+    check_failing_input()
