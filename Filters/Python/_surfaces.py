@@ -213,7 +213,7 @@ def _polydata_classes(extension: str) -> Tuple[str, Optional[str], Optional[str]
 
 
 def _make(path: str, what: int, verb: str) -> Any:
-    """A reader (1) or writer (2) for a file."""
+    """A reader (1) or writer (2) for files of the kind that a name tells."""
     extension = os.path.splitext(path)[1].lower()
     classes = _polydata_classes(extension)
     if classes[what] is None:
@@ -221,9 +221,7 @@ def _make(path: str, what: int, verb: str) -> Any:
             f"'{path}' cannot be {verb}: its name must end in .ply, .stl, .obj, .vtp or .vtk."
         )
     module = importlib.import_module("vtkmodules." + classes[0])
-    made = getattr(module, str(classes[what]))()
-    made.SetFileName(path)
-    return made
+    return getattr(module, str(classes[what]))()
 
 
 def read(path: Any) -> Any:
@@ -232,6 +230,7 @@ def read(path: Any) -> Any:
     with open(path, "rb"):  # FileNotFoundError and its like, before VTK is asked
         pass
     reader = _make(path, 1, "read")
+    reader.SetFileName(path)
     with Messages(reader, reader.GetExecutive()) as messages:
         reader.Update()
     data = reader.GetOutputDataObject(0)
@@ -249,15 +248,19 @@ def write(data: Any, path: Any) -> None:
     once it is whole.
     """
     path = os.fspath(path)
+    writer = _make(path, 2, "written")
     draft = f"{path}.{os.getpid()}{os.path.splitext(path)[1].lower()}"
-    writer = _make(draft, 2, "written")
+    writer.SetFileName(draft)
     for option in ("SetDataModeToBinary", "SetFileTypeToBinary"):
         if hasattr(writer, option):
             getattr(writer, option)()
     writer.SetInputDataObject(data)
     try:
-        with open(draft, "wb"):  # PermissionError and its like, before VTK is asked
-            pass
+        try:
+            with open(draft, "wb"):  # PermissionError and its like, before VTK is asked
+                pass
+        except OSError as error:  # of the file that was asked for
+            raise type(error)(error.errno, error.strerror, path) from None
         with Messages(writer, writer.GetExecutive()) as messages:
             done = writer.Write()
         if not done or messages.errors or writer.GetErrorCode():

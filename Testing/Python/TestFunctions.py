@@ -121,9 +121,9 @@ class TestInputs(unittest.TestCase):
                 self.assertLess(abs(again.summary["mean_quality"]
                                     - ar.compare(self.expected).summary["mean_quality"]), 1e-4)
             self.assertEqual(len(os.listdir(folder)), 6)
-            with self.assertRaisesRegex(ValueError, "must end in"):
+            with self.assertRaisesRegex(ValueError, "mesh.xyz' cannot be written.*must end in"):
                 self.expected.save(os.path.join(folder, "mesh.xyz"))
-            with self.assertRaises(FileNotFoundError):
+            with self.assertRaisesRegex(FileNotFoundError, "none/mesh.ply'$"):
                 self.expected.save(os.path.join(folder, "none", "mesh.ply"))
             with self.assertRaises(FileNotFoundError):
                 ar.remesh(os.path.join(folder, "none.ply"))
