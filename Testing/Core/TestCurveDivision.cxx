@@ -199,6 +199,17 @@ void testMarks()
   rule.mostTurn = 10.0;
   CHECK_EQUAL(gapsOf(least, rule).size(), std::size_t(3));
 }
+
+/** The one place that a curve must have is where it is farthest from its chord. */
+void testTop()
+{
+  Course course = courseThrough({ { 0, 0, 0 }, { 1, 0.1, 0 }, { 3, 0.2, 0 }, { 4, 0, 0 } });
+  CHECK_EQUAL(gapsOf(course, ruleOf(10.0)).size(), std::size_t(1));
+  course.leastPieces = 2;
+  const std::vector<Station> places = divideCurve(course, ruleOf(10.0));
+  CHECK_EQUAL(places.size(), std::size_t(3));
+  CHECK(places[1] == (Station{ 2, 0.0 }));
+}
 }
 
 int TestCurveDivision(int, char*[])
@@ -209,5 +220,6 @@ int TestCurveDivision(int, char*[])
   testKinks();
   testNoise();
   testMarks();
+  testTop();
   return test::result();
 }

@@ -235,6 +235,27 @@ void testOutputs()
       CHECK_NEAR(areas[cell], whole, 1e-12 * area);
     });
 }
+
+/** Loose slivers have three points each, not in line, though one of their corners hardly bends. */
+void testSlivers()
+{
+  TriangleSoup soup;
+  for (int k = 0; k < 40; ++k)
+  {
+    TriangleSoup sliver;
+    sliver.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.3 + 0.01 * k, 0.02, 0 } };
+    sliver.triangles = { { 0, 1, 2 } };
+    append(soup, sliver, Point3(0, 0, k));
+  }
+  const auto input = polyDataOf(soup);
+  const auto filter = remesherOf(input, 120, 0.02);
+  filter->Update();
+  vtkPolyData* mesh = filter->GetOutput();
+  CHECK_EQUAL(mesh->GetNumberOfPoints(), 120);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 40);
+  CHECK_EQUAL(factOf(mesh, "NumberOfFlippedTriangles"), 0.0);
+  CHECK_NEAR(areaOf(mesh), areaOf(input), 0.03 * areaOf(input));
+}
 }
 
 int TestCoarseSurfaces(int, char*[])
@@ -244,5 +265,6 @@ int TestCoarseSurfaces(int, char*[])
   testGivenNormals();
   testTolerance();
   testOutputs();
+  testSlivers();
   return test::result();
 }

@@ -106,17 +106,41 @@ private:
       numbers.push_back(std::max(nearestNumber(count), leastNumber(bends)));
       sum += numbers.back();
     }
+    m_stations.clear();
+    if (sum == 1 && m_course.leastPieces == 2)
+    {
+      m_stations = { { 0, 0.0 }, this->top(), { m_course.last() - 1, 1.0 } };
+      return;
+    }
     for (; sum < m_course.leastPieces; ++sum)
     {
       ++numbers[this->longestPiece(numbers)];
     }
-    m_stations.clear();
     for (std::size_t b = 0; b < this->pieces(); ++b)
     {
       m_stations.push_back({ m_marks[b], 0.0 });
       this->placeInPiece(spacing, b, numbers[b]);
     }
     m_stations.push_back({ m_course.last() - 1, 1.0 });
+  }
+
+  /** The point that is farthest from the chord of the whole; the middle of what is straight. */
+  Station top() const
+  {
+    Index farthest = noIndex;
+    double most = 0.0;
+    for (Index p = 1; p < m_course.last(); ++p)
+    {
+      const double squared =
+        squaredDistanceToChord(m_course.points[p], m_course.points.front(), m_course.points.back());
+      if (squared > most)
+      {
+        most = squared;
+        farthest = p;
+      }
+    }
+    return farthest == noIndex ? stationAt(m_course.lengths, 0.5 * m_course.length())
+                               : Station{ farthest, 0.0 };
   }
 
   double lengthOf(std::size_t piece) const

@@ -19,21 +19,35 @@ constexpr double narrowGrowth = 1.05;
 constexpr double leastShare = 0.95; // of the spacing without features
 constexpr double accuracy = 1e-3;   // of the spacing
 
-/** The least number of pieces of each curve (step 3), the first of several with the same ends. */
+double lengthOf(const Course& course)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < course.points.size(); ++k)
+  {
+    length += (course.points[k] - course.points[k - 1]).norm();
+  }
+  return length;
+}
+
+/**
+ * The least number of pieces of each curve (step 3). Of several with the same ends the shortest has
+ * one: the others bend more, and their places make triangles with an area.
+ */
 void setLeastPieces(const Features& features, std::vector<Course>& courses)
 {
-  std::map<std::pair<Index, Index>, int> between;
+  std::map<std::pair<Index, Index>, std::size_t> shortest;
   for (std::size_t c = 0; c < features.curves.size(); ++c)
   {
     const FeatureCurve& curve = features.curves[c];
+    courses[c].leastPieces = curve.closed() ? 3 : 1;
     const std::pair<Index, Index> ends = std::minmax(curve.points.front(), curve.points.back());
-    if (curve.closed())
+    const auto [found, isFirst] = shortest.try_emplace(ends, c);
+    if (!isFirst && !curve.closed())
     {
-      courses[c].leastPieces = 3;
-    }
-    else if (between[ends]++ > 0)
-    {
-      courses[c].leastPieces = 2;
+      std::size_t& best = found->second;
+      const bool isShorter = lengthOf(courses[c]) < lengthOf(courses[best]);
+      courses[isShorter ? best : c].leastPieces = 2;
+      best = isShorter ? c : best;
     }
   }
 }
