@@ -137,10 +137,10 @@ def book():
 
 
 def crumbs():
-    """A hundred components of many sizes: few points take care of each."""
+    """225 components of many sizes: more than 500 points can mesh."""
     points, faces = shapes.sphere(6)
-    return joined([((0.03 + 0.0008 * k) * points + [0.25 * (k % 10), 0.25 * (k // 10), 0.0], faces)
-                   for k in range(100)])
+    return joined([((0.03 + 0.0008 * (k % 100)) * points + [0.25 * (k % 15), 0.25 * (k // 15), 0.0],
+                    faces) for k in range(225)])
 
 
 def cog():
@@ -166,6 +166,35 @@ def scan():
             shapes.lattice(120, 60, True, True))
 
 
+def spikes():
+    """A sphere with many thin thorns, that take more than few points."""
+    points, faces = shapes.sphere(60)
+    x, y, z = points.T
+    waves = numpy.sin(4.0 * numpy.arctan2(y, x)) * numpy.sin(4.0 * numpy.arccos(z))
+    return points * (1.0 + 1.5 * waves[:, None] ** 12), faces
+
+
+def ribbon():
+    """A knot pressed flat, so that it nearly touches itself."""
+    points, faces = shapes.knot(840, 24)
+    return points * [1.0, 1.0, 0.3], faces
+
+
+def voxels():
+    """The faces between full and empty voxels, which meet at edges and points: no manifold."""
+    x, y, z = numpy.indices((6, 6, 6))
+    full = numpy.pad((7 * x + 5 * y + 3 * z + x * y + 2 * y * z) % 4 < 2, 1)
+    sides, corners = numpy.eye(3), []
+    for axis, front in ((axis, front) for axis in range(3) for front in (0, 1)):
+        u, v = sides[(axis + 1) % 3], sides[(axis + 2) % 3]
+        beyond = numpy.roll(full, -1 if front else 1, axis)
+        first = numpy.argwhere(full & ~beyond) + front * sides[axis]
+        around = [first, first + u, first + u + v, first + v]
+        corners.append(numpy.stack(around if front else around[::-1], axis=1))
+    points = numpy.concatenate(corners).reshape(-1, 3)
+    return points, numpy.arange(len(points)).reshape(-1, 4)
+
+
 # What makes points, faces and, where they are given, normals.
 SURFACES = {
     "bicone": bicone,
@@ -182,9 +211,12 @@ SURFACES = {
     "octopus": lambda: implicit("octopus", 0.05),
     "part": lambda: implicit("part", 0.045),
     "plate": plate,
+    "ribbon": ribbon,
     "scan": scan,
     "shell": shell,
+    "spikes": spikes,
     "star": star,
+    "voxels": voxels,
 }
 
 

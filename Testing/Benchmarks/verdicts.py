@@ -21,7 +21,6 @@ import json
 import math
 import os
 import re
-import signal
 import subprocess
 import sys
 import tempfile
@@ -145,13 +144,10 @@ def run_case(program, surface, key, timeout):
             return {**row, "outcome": "timeout"}
         except OSError as error:
             raise Unusable(str(error)) from error
-        if done.returncode == -signal.SIGINT:
-            raise KeyboardInterrupt
         if done.returncode != 0:
-            words = done.stderr.removeprefix("remesh_surface: ").split()
-            # The crash guard of the program turns signals into 128 + signal.
-            failed = "error" if 0 < done.returncode < 128 else "crash"
-            return {**row, "outcome": failed, "warnings": first_words([" ".join(words)])}
+            failed = "error" if done.returncode > 0 else "crash"  # of a signal
+            sentence = done.stderr.strip().removeprefix("remesh_surface: ")
+            return {**row, "outcome": failed, "warnings": first_words([sentence])}
         row["bytes"], diagonal = verdict_surfaces.measure(mesh)
         with open(report, encoding="utf-8") as file:
             return {**row, **verdict_of(json.load(file), diagonal)}
