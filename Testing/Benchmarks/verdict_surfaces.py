@@ -239,6 +239,8 @@ def measure(path):
     reader.SetFileName(path)
     reader.Update()
     mesh = reader.GetOutput()
+    if mesh.GetNumberOfPolys() == 0:
+        return "empty", 0.0
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype("<f8")
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).astype("<i8")
     return hashlib.sha256(points.tobytes() + triangles.tobytes()).hexdigest()[:12], mesh.GetLength()

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Tells which runs of remesh_surface became better or worse, and which make other bytes.
 
     verdicts.py run PROGRAM TABLE       runs the program on surfaces of all kinds, each with several
