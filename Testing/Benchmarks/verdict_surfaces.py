@@ -143,6 +143,23 @@ def crumbs():
                     faces) for k in range(225)])
 
 
+def needles():
+    """Forty small bicones: coarse fans, and a dozen points for each."""
+    points, faces = bicone()
+    angle = 2.0 * PI * numpy.arange(40) / 40
+    return joined([(points * [0.05, 0.05, 0.01 * (1 + k % 3)] +
+                    [numpy.cos(angle[k]), numpy.sin(angle[k]), 0.0], faces) for k in range(40)])
+
+
+def roll():
+    """A sheet rolled up: three turns, closer than few points are."""
+    points, faces = shapes.sheet(60)
+    turn = 3.0 * PI * (points[:, 0] + 1.0)
+    radius = 0.3 + 0.005 * turn
+    return numpy.stack([radius * numpy.cos(turn), radius * numpy.sin(turn), points[:, 1]],
+                       axis=1), faces
+
+
 def cog():
     """A gear of ninety teeth, whose creases take all of few points."""
     return shapes.gear(90, 1)
@@ -208,10 +225,12 @@ SURFACES = {
     "knot": lambda: shapes.knot(210, 30),
     "leaf": leaf,
     "mobius": mobius,
+    "needles": needles,
     "octopus": lambda: implicit("octopus", 0.05),
     "part": lambda: implicit("part", 0.045),
     "plate": plate,
     "ribbon": ribbon,
+    "roll": roll,
     "scan": scan,
     "shell": shell,
     "spikes": spikes,
