@@ -18,8 +18,10 @@
 namespace remesh
 {
 /**
- * Whether to stop. Who observes AbortCheckEvent is asked first, at most every 30 ms: by the thread
- * that executes the filter alone, which is the one that makes this object.
+ * Whether to stop. Who observes AbortCheckEvent is asked first, at most every 30 ms, and who
+ * observes ProgressEvent at most every 120 ms, though nothing has come forward: most programs stop
+ * a filter from there. By the thread that executes the filter alone, which is the one that makes
+ * this object.
  */
 class AbortCheck
 {
@@ -37,6 +39,10 @@ public:
       if (now >= m_next)
       {
         m_algorithm->InvokeEvent(vtkCommand::AbortCheckEvent);
+        if (++m_checks % 4 == 0)
+        {
+          m_algorithm->UpdateProgress(m_algorithm->GetProgress());
+        }
         m_next = now + std::chrono::milliseconds(30);
       }
     }
@@ -47,6 +53,7 @@ private:
   vtkAlgorithm* m_algorithm;
   std::thread::id m_thread = std::this_thread::get_id();
   std::chrono::steady_clock::time_point m_next{};
+  int m_checks = 0;
 };
 
 /** Progress events at most every half percent or at a new phase, and never falling. */

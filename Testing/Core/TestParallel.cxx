@@ -5,7 +5,9 @@
 #include "TestSupport.h"
 
 #include <atomic>
+#include <chrono>
 #include <new>
+#include <thread>
 
 using namespace remesh;
 
@@ -50,6 +52,22 @@ void testExceptions(Schedule schedule)
   }
   CHECK(caught);
   CHECK(calls.load() < 1000); // no group follows
+}
+
+/** Where blocks take long, the control is asked after fewer of them. */
+void testLongBlocks()
+{
+  int questions = 0;
+  RunControl control({},
+    [&]()
+    {
+      ++questions;
+      return false;
+    });
+  control.schedule = Schedule::EightThreads;
+  const auto wait = [](Offset) { std::this_thread::sleep_for(std::chrono::milliseconds(60)); };
+  CHECK(forEachBlock(64, control, wait));
+  CHECK(questions >= 4);
 }
 
 /** What was lent comes back, and is lent again; without memory, too. */
@@ -101,6 +119,7 @@ int TestParallel(int, char*[])
     testEachOnce(schedule);
     testExceptions(schedule);
   }
+  testLongBlocks();
   testScratchPool();
   return test::result();
 }

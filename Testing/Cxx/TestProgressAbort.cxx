@@ -173,6 +173,27 @@ void testAbortCheck(vtkPolyData* input)
   CHECK(outputsAreEmpty(filter));
 }
 
+/** Who observes progress may stop a run in which it hardly rises. */
+void testAbortFromProgress(vtkPolyData* input)
+{
+  vtkNew<vtkAnisotropicRemesher> filter;
+  filter->SetInputData(input);
+  filter->SetNumberOfPoints(2000);
+  filter->SetNumberOfLloydIterations(100000); // half a percent takes long
+  int repeated = 0;
+  double last = -1.0;
+  const ProgressWatch watch(filter,
+    [&](double progress)
+    {
+      repeated += progress == last ? 1 : 0;
+      last = progress;
+      filter->SetAbortExecute(repeated == 3);
+    });
+  filter->Update();
+  CHECK_EQUAL(repeated, 3);
+  CHECK(outputsAreEmpty(filter));
+}
+
 /** Seconds from an abort, `delay` seconds after the start, to the end; negative if it came late. */
 double secondsToStop(vtkAlgorithm* filter, double delay)
 {
@@ -232,6 +253,7 @@ int TestProgressAbort(int, char*[])
   testSites(input);
   testRunAgain(input);
   testAbortCheck(input);
+  testAbortFromProgress(input);
 
   const std::vector<Content> remeshed = contentsOf(remesher);
   for (const double moment :

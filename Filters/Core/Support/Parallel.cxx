@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <numeric>
 #include <thread>
@@ -14,8 +15,13 @@ namespace remesh
 {
 namespace
 {
-/** Blocks between two reports: few enough that cancelling takes a fraction of a second. */
-constexpr Offset groupSize = 128;
+/**
+ * Blocks between two questions whether to go on: as many as take about this long, so that a run
+ * ends soon after it is cancelled, however large its blocks are.
+ */
+constexpr Offset firstGroup = 32;
+constexpr Offset largestGroup = 128;
+constexpr std::chrono::milliseconds longestGroup(100);
 
 void runShuffled(Offset begin, Offset end, const std::function<void(Offset)>& body)
 {
@@ -113,15 +119,20 @@ Blocks Blocks::cut(Offset size, Offset wanted, Offset longest)
 bool forEachBlock(
   Offset numberOfBlocks, const RunControl& control, const std::function<void(Offset)>& body)
 {
-  for (Offset begin = 0; begin < numberOfBlocks; begin += groupSize)
+  Offset size = firstGroup;
+  for (Offset begin = 0; begin < numberOfBlocks;)
   {
     if (control.cancelled())
     {
       return false;
     }
-    const Offset end = std::min(numberOfBlocks, begin + groupSize);
+    const Offset end = std::min(numberOfBlocks, begin + size);
+    const auto start = std::chrono::steady_clock::now();
     runGroup(control.schedule, begin, end, body);
+    const bool wasLong = std::chrono::steady_clock::now() - start > longestGroup;
+    size = std::clamp(wasLong ? size / 2 : 2 * size, Offset(1), largestGroup);
     control.report(static_cast<double>(end) / static_cast<double>(numberOfBlocks));
+    begin = end;
   }
   return !control.cancelled();
 }
