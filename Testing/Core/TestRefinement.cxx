@@ -15,6 +15,8 @@ using namespace remesh::test;
 
 namespace
 {
+const std::vector<FacetNormal> noneBorrowed;
+
 SurfaceMesh meshOf(const TriangleSoup& soup)
 {
   SurfaceMesh mesh;
@@ -182,7 +184,7 @@ void testFeatures()
   CHECK_EQUAL(features.apexes.size(), 1U); // the fan's tip, not the middle of the base
   CHECK_EQUAL(features.numberOfPatches, 2);
   const std::vector<Point3> normals = estimateCornerNormals(mesh, 0);
-  const OwnNormals own(mesh, {}, normals, nullptr);
+  const OwnNormals own(mesh, noneBorrowed, normals, nullptr);
   RefinedSurface refined;
   std::vector<Point3> fineNormals;
   CHECK(refineForNormals(own, &features, 0.2, 3000, RunControl(), refined, fineNormals));
@@ -226,7 +228,7 @@ void testNormals()
     {
       CHECK(givenCornerNormals(mesh, given, corners).ok());
     }
-    const OwnNormals own(mesh, {}, corners, areGiven ? &given : nullptr);
+    const OwnNormals own(mesh, noneBorrowed, corners, areGiven ? &given : nullptr);
     RefinedSurface refined;
     std::vector<Point3> fine;
     CHECK(refineForNormals(own, nullptr, 0.4, 3000, RunControl(), refined, fine));
@@ -254,12 +256,12 @@ void testNothing()
   {
     const SurfaceMesh mesh = meshOf(soup);
     const std::vector<Point3> normals = estimateCornerNormals(mesh, 0);
-    const OwnNormals own(mesh, {}, normals, nullptr);
+    const OwnNormals own(mesh, noneBorrowed, normals, nullptr);
     CHECK(!refineForNormals(own, nullptr, 0.2, 1000, RunControl(), refined, fine));
   }
   const SurfaceMesh cone = meshOf(coneFan(24, 10.0));
   const std::vector<Point3> normals = estimateCornerNormals(cone, 0);
-  const OwnNormals own(cone, {}, normals, nullptr);
+  const OwnNormals own(cone, noneBorrowed, normals, nullptr);
   CHECK(!refineForNormals(own, nullptr, 0.0, 1000, RunControl(), refined, fine));
 }
 
@@ -276,7 +278,7 @@ void testRows()
     rows.values.push_back(p[1]);
   }
   const std::vector<Point3> normals = estimateCornerNormals(mesh, 0);
-  const OwnNormals own(mesh, {}, normals, nullptr);
+  const OwnNormals own(mesh, noneBorrowed, normals, nullptr);
   RefinedSurface refined;
   std::vector<Point3> fine;
   CHECK(refineForNormals(own, nullptr, 0.4, 1000, RunControl(), refined, fine));
