@@ -28,19 +28,21 @@
  * sphere), and so do those of points joined by an edge of the mesh, but for edges that were turned.
  *
  * `CellArea` is measured in R^3, `CellMass` in R^d, `CellEnergy` is the integral of the squared
- * distance to the site in R^d. Field data of port 0: `NumberOfFlippedTriangles` (whose normal makes
- * more than 90 degrees with the surface's closest to their centre, among what their points' cells
- * meet, or whose corners are all but collinear), `NumberOfStrayTriangles` (others, whose normal
- * makes more than 90 degrees with that of another part of the surface that is closer to their
- * centre, as where two sheets are closer to each other than a chord is to its arc),
- * `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `NumberOfExtraPoints`
- * (points beyond those asked for, or, where sites are given, features are not preserved or there is
- * a distance tolerance, beyond the number of sites; below 0: fewer), `Seed`; with MeasureDistance
- * `MaximumDistance` (the largest found from mesh to surface or back; with a distance tolerance a
- * bound that no point passes) and `RMSDistance` (root of the mean of both mean squares), in the
- * unit of the points; `NormalSmoothingRadius`, the distance over which estimated normals were
- * smoothed, 0 if they were not; absent where none are estimated or none count, or passes were asked
- * for.
+ * distance to the site in R^d.
+ *
+ * Field data of port 0:
+ * - `NumberOfFlippedTriangles`: their normals make more than 90 degrees with the closest part of the
+ *   surface that their points' cells meet, or their corners are all but collinear;
+ * - `NumberOfStrayTriangles`: others that make more than 90 degrees with another part of the surface,
+ *   which is closer to their centres. So it is where two sheets are closer than a chord to its arc;
+ * - `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `Seed`;
+ * - `NumberOfExtraPoints`: points beyond those asked for; below 0: fewer. Where sites are given,
+ *   features are not preserved or there is a distance tolerance: beyond the number of sites;
+ * - `MaximumDistance`, with MeasureDistance: the largest found from mesh to surface or back; with a
+ *   distance tolerance, a bound that no point passes. In the unit of the points;
+ * - `RMSDistance`, likewise: the root of the mean of both mean squares;
+ * - `NormalSmoothingRadius`: the distance over which estimated normals were smoothed, 0 if they were
+ *   not. Absent where none are estimated, none count, or passes were asked for.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball

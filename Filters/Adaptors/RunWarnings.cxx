@@ -1,6 +1,7 @@
 #include "Adaptors/RunWarnings.h"
 
 #include "Mesh/FacetGeometry.h"
+#include "Mesh/NormalFlow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,22 +26,11 @@ constexpr double mostDropped = 0.25;
 constexpr double mostOfSpacing = 0.1;
 constexpr double mostOfLength = 0.07;
 
-double areaOf(const SurfaceMesh& mesh)
+/** The distance between neighbours, if points were spread evenly and hexagonally. */
+double hexagonalSpacing(const NumberOutcome& outcome)
 {
-  double area = 0.0;
-  for (const Triple& facet : mesh.facetPoints)
-  {
-    area += facetArea(mesh.points[facet[0]], mesh.points[facet[1]], mesh.points[facet[2]]);
-  }
-  return area;
-}
-
-/** The mean distance between neighbours, as if points were spread evenly and hexagonally. */
-double meanSpacing(const NumberOutcome& outcome)
-{
-  const double area = areaOf(outcome.prepared.mesh);
-  return std::sqrt(
-    2.0 / std::sqrt(3.0) * area / static_cast<double>(outcome.result.components.count()));
+  return std::sqrt(2.0 / std::sqrt(3.0)) *
+    meanSpacing(outcome.prepared.mesh, outcome.result.components.count());
 }
 
 /** The longest edges of the triangles, root mean square by area. */
@@ -93,7 +83,7 @@ void tellDistance(const NumberOutcome& outcome, std::vector<std::string>& warnin
   }
   const double rms = outcome.result.distance->rms();
   const double length = lengthOfTriangles(outcome.result);
-  if (rms > std::max(mostOfSpacing * meanSpacing(outcome), mostOfLength * length))
+  if (rms > std::max(mostOfSpacing * hexagonalSpacing(outcome), mostOfLength * length))
   {
     std::ostringstream warning;
     warning.precision(2);

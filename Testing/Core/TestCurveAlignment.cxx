@@ -31,20 +31,7 @@ struct Part
 /** A flat ring between two circles of these radii. */
 TriangleSoup ring(double inner, double outer, int segments)
 {
-  std::vector<Point3> points;
-  std::vector<std::array<Offset, 3>> triangles;
-  for (int k = 0; k < segments; ++k)
-  {
-    const double angle = 2.0 * std::acos(-1.0) * k / segments;
-    const Point3 direction(std::cos(angle), std::sin(angle), 0.0);
-    points.push_back(inner * direction);
-    points.push_back(outer * direction);
-    const Offset a = 2 * k;
-    const Offset b = 2 * ((k + 1) % segments);
-    triangles.push_back({ a, a + 1, b + 1 });
-    triangles.push_back({ a, b + 1, b });
-  }
-  return test::makeSoup(points, triangles);
+  return test::flatRing(segments, inner, [outer](const Point3&) { return outer; });
 }
 
 /** What separateCurves() has to add, with the curves aligned or not. */

@@ -95,8 +95,9 @@ TriangleSoup wrappedGrid(int nu, int nv, bool closedInV, const Place& place)
   return makeSoup(std::move(points), std::move(triangles));
 }
 
-/** The unit square around the origin with a round hole; a multiple of 8 segments. */
-inline TriangleSoup ringInSquare(int segments, double radius)
+/** A flat ring from the circle of this radius to what `outer` tells for each direction. */
+template <class Outer>
+TriangleSoup flatRing(int segments, double inner, const Outer& outer)
 {
   std::vector<Point3> points;
   std::vector<std::array<Offset, 3>> triangles;
@@ -104,14 +105,21 @@ inline TriangleSoup ringInSquare(int segments, double radius)
   {
     const double angle = 2.0 * std::acos(-1.0) * k / segments;
     const Point3 direction(std::cos(angle), std::sin(angle), 0.0);
-    points.push_back(radius * direction);
-    points.push_back(0.5 / direction.cwiseAbs().maxCoeff() * direction);
+    points.push_back(inner * direction);
+    points.push_back(outer(direction) * direction);
     const Offset a = 2 * k;
     const Offset b = 2 * ((k + 1) % segments);
     triangles.push_back({ a, a + 1, b + 1 });
     triangles.push_back({ a, b + 1, b });
   }
   return makeSoup(std::move(points), std::move(triangles));
+}
+
+/** The unit square around the origin with a round hole; a multiple of 8 segments. */
+inline TriangleSoup ringInSquare(int segments, double radius)
+{
+  return flatRing(segments, radius,
+    [](const Point3& direction) { return 0.5 / direction.cwiseAbs().maxCoeff(); });
 }
 
 /** A grid patch without the squares (column, row) of two triangles each. */

@@ -20,11 +20,10 @@ namespace remesh
 void traceCurves(const SurfaceMesh& mesh, Features& features);
 
 /**
- * Finds the patches, and cuts the surface open between them: each fan of facets around a point,
- * joined by edges that are not cut, gets an embedded corner of its own (`facetCorners`,
- * `cornerPoints`), numbered as the facets meet them, and the facets get the ids of their patches
- * (parts of the surface that features enclose). Points whose fans are not all joined by edges are
- * pinches. O(F).
+ * Finds the patches, which are the parts of the surface that features enclose, and cuts the surface
+ * open between them. Around a point, the facets joined by edges that are not cut are a fan. Each
+ * fan gets an embedded corner of its own (`facetCorners`, `cornerPoints`), numbered as the facets
+ * meet them. Points whose fans are not all joined by edges are pinches. O(F).
  */
 void cutAlongFeatures(SurfaceMesh& mesh, Features& features);
 

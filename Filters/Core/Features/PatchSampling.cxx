@@ -15,7 +15,6 @@ namespace
 constexpr double halfRow = 0.43301270189221932338; // height of a border cell, over the spacing
 constexpr Offset leastClosed = SpareSites::leastOfClosed;
 constexpr int halvings = 60;
-
 }
 
 PatchSizes measurePatches(const FeaturedSurface& featured)
