@@ -123,8 +123,8 @@ struct NumberRun
   /** Triangles that face the surface the wrong way, as far as that can be told. */
   Offset wrongWay() const
   {
-    const Placement& placement = this->outcome.result.placement;
-    return placement.repair.flippedTriangles + placement.strays();
+    const PlacedVertices& placement = this->outcome.result.placement;
+    return placement.edits.inverted + placement.strays;
   }
 
   /**
@@ -138,7 +138,7 @@ struct NumberRun
     const Offset off = std::abs(result.extraVertices());
     return { !result.topology.preserved(), 2 * off / std::max(result.wantedVertices, Offset(1)),
       result.topology.certificate.violations(), off, this->wrongWay(),
-      result.placement.repair.refilled };
+      result.placement.edits.refilled };
   }
 
   /** Whether the topology is lost, or takes more points than there may be. */
@@ -152,7 +152,7 @@ struct NumberRun
   bool hasFaults() const
   {
     return this->losesTopologyOrNumber() || this->wrongWay() > 0 ||
-      this->outcome.result.placement.repair.refilled > 0;
+      this->outcome.result.placement.edits.refilled > 0;
   }
 
   /** Makes another mesh, too, by `make()`, and keeps it if it is better than the last one. */

@@ -128,13 +128,13 @@ void tellDroppedCreases(const PreparedSurface& prepared, std::vector<std::string
 
 void tellWrongTriangles(const RemeshResult& result, std::vector<std::string>& warnings)
 {
-  if (const Offset flipped = result.placement.repair.flippedTriangles; flipped > 0)
+  if (const Offset flipped = result.placement.edits.inverted; flipped > 0)
   {
     warnings.push_back(std::to_string(flipped) +
       (flipped == 1 ? " triangle faces" : " triangles face") +
       " the surface the wrong way. More points or less anisotropy help.");
   }
-  if (const Offset strays = result.placement.strays(); strays > 0)
+  if (const Offset strays = result.placement.strays; strays > 0)
   {
     warnings.push_back(std::to_string(strays) + (strays == 1 ? " triangle is" : " triangles are") +
       " closer to another part of the surface than to " + (strays == 1 ? "its" : "their") +

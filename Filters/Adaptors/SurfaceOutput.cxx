@@ -130,8 +130,8 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   const Columns columns{ data, 1, source.control };
   const auto add = [&columns](const char* name, Offset value)
   { columns.add<vtkIdTypeArray>(name, [value](Offset) { return value; }); };
-  add("NumberOfFlippedTriangles", result.placement.repair.flippedTriangles);
-  add("NumberOfStrayTriangles", result.placement.strays());
+  add("NumberOfFlippedTriangles", result.placement.edits.inverted);
+  add("NumberOfStrayTriangles", result.placement.strays);
   add("NumberOfNonManifoldEdges", result.topology.mesh.nonManifoldEdges);
   add("EulerCharacteristic", result.topology.mesh.eulerCharacteristic);
   add("TopologyPreserved", result.topology.preserved() ? 1 : 0);

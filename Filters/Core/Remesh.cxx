@@ -7,8 +7,8 @@
 #include "Placement/CurveFit.h"
 #include "Placement/StepLimit.h"
 #include "Placement/TriangleShape.h"
-#include "RemeshDual.h"
 #include "RemeshStart.h"
+#include "Repair/SiteRepair.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <cmath>
@@ -130,7 +130,8 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   Stopwatch watch;
   std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
-    result.components, result.dual.triangles, fixed, &result.seams.segments };
+    result.components, result.dual.triangles, fixed, &result.seams.segments,
+    &task.wholeSurface(control) };
   const VertexPlacement way = task.options.placement;
   Status status = Status::success();
   if (task.features && (way == VertexPlacement::Fit || way == VertexPlacement::HeldFit))
@@ -149,7 +150,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   }
   if (status.ok())
   {
-    status = mendPlaces(
+    status = repairPlacedMesh(
       problem, way, control.step(1, 2), result.locations, result.dual.triangles, result.placement);
   }
   result.seconds.placement += watch.lap();

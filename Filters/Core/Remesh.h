@@ -29,6 +29,7 @@
 #include "Optimization/QuasiNewton.h"
 #include "Optimization/Sampling.h"
 #include "Placement/Placement.h"
+#include "Repair/PlacedMesh.h"
 #include "Voronoi/CellSums.h"
 #include "Voronoi/Diagram.h"
 #include "Voronoi/PlainSums.h"
@@ -88,7 +89,7 @@ struct RemeshResult
   Seams seams;                    ///< edges of the mesh along features among it
   std::vector<SurfaceLocation> locations; ///< of the placed vertices
   Dual dual;                              ///< its triangles after placement
-  Placement placement;                    ///< of its vertices
+  PlacedVertices placement;               ///< of its vertices
   std::vector<Index> numbersOfNeighbors;  ///< n
   std::vector<int> cellColors;            ///< n, few, those of neighbours differ
   std::vector<double> cellAreas;          ///< n, in R^3

@@ -6,10 +6,12 @@
 #define remesh_RemeshTask_h
 
 #include "Features/FeaturedSurface.h"
+#include "Placement/WholeSurface.h"
 #include "Remesh.h"
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 namespace remesh
 {
@@ -36,6 +38,18 @@ struct Task
   const EmbeddedSurface& surface;
   const Features* features; ///< nullptr: none
   const RemeshOptions& options;
+
+  /** For triangles that face it; made when it is first asked for. */
+  mutable std::shared_ptr<const WholeSurface> whole = nullptr;
+
+  const WholeSurface& wholeSurface(const RunControl& control) const
+  {
+    if (!this->whole)
+    {
+      this->whole = std::make_shared<const WholeSurface>(this->mesh, control);
+    }
+    return *this->whole;
+  }
 
   /** Where there are features. */
   FeaturedSurface featured() const { return { this->mesh, this->surface, *this->features }; }

@@ -11,7 +11,7 @@ The verdict of a run is an ordered record: the first entry that differs decides 
 better. Distances, in units of the input, differ from two percent on.
 Exit status: 1 if any row is worse (compare), or a run is interrupted; 2 if there is nothing to do.
 
-Bytes are those of points and triangles. They are the same for any number of threads, but not for
+Seconds are those of the processor, on all threads. Bytes are those of points and triangles. They are the same for any number of threads, but not for
 any compiler and processor: compare tables of one machine.
 """
 import argparse
@@ -21,6 +21,7 @@ import json
 import math
 import os
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -37,8 +38,8 @@ PROOFS = ("proven", "none", "lost")  # none: the surface is no manifold, and the
 RECORD = ("outcome", "off", "topology", "faults", "inverted", "strays", "crossings", "rms",
           "largest")
 DISTANCES = ("rms", "largest")
-COLUMNS = ("surface", "n", "s", *RECORD, "bytes", "warnings")
-WIDTHS = (28, -6, -5, -8, -6, -9, -7, -9, -7, -10, -10, -10, 13, 0)  # negative: to the right
+COLUMNS = ("surface", "n", "s", *RECORD, "bytes", "seconds", "warnings")
+WIDTHS = (28, -6, -5, -8, -6, -9, -7, -9, -7, -10, -10, -10, 13, -8, 0)  # negative: to the right
 # Entries of the report's output, by the names of all versions; not every version has all.
 REPORTED = {"off": ("extra_points",), "inverted": ("inverted_triangles", "flipped_triangles"),
             "strays": ("stray_triangles",), "crossings": ("self_intersections", "crossings"),
@@ -129,7 +130,13 @@ def verdict_of(report, diagonal):
     return verdict
 
 
-def run_case(program, surface, key, timeout):
+def processor_seconds():
+    """Of all programs run so far that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def run_case(program, surface, key, timeout, times=False):
     """The row of one run. It fails where the program does, with the error as its warning."""
     row = dict.fromkeys(COLUMNS, ABSENT)
     row.update(zip(COLUMNS, key))
@@ -137,6 +144,7 @@ def run_case(program, surface, key, timeout):
         mesh, report = os.path.join(folder, "mesh.vtp"), os.path.join(folder, "report.json")
         command = [program, surface, mesh, "--points", key[1], "--anisotropy", key[2], "--quiet",
                    "--report", report]
+        before = processor_seconds()
         try:
             done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False,
                                   errors="replace", timeout=timeout)
@@ -144,6 +152,8 @@ def run_case(program, surface, key, timeout):
             return {**row, "outcome": "timeout"}
         except OSError as error:
             raise Unusable(str(error)) from error
+        if times:
+            row["seconds"] = f"{processor_seconds() - before:.2f}"
         if done.returncode != 0:
             failed = "error" if done.returncode > 0 else "crash"  # of a signal
             sentence = done.stderr.strip().removeprefix("remesh_surface: ")
@@ -210,7 +220,8 @@ def run_missing(arguments, rows, build, folder):
             surfaces[key[0]] = os.path.join(folder, key[0] + ".vtp")
             verdict_surfaces.write(key[0], surfaces[key[0]])
         start = time.monotonic()
-        row = run_case(arguments.program, surfaces[key[0]], key, arguments.timeout)
+        row = run_case(arguments.program, surfaces[key[0]], key, arguments.timeout,
+                       arguments.seconds)
         rows[key_of(row)] = row
         save(arguments.table, build, rows)
         tell(f"{name}: {summary(row)}, {time.monotonic() - start:.1f} s")
@@ -289,6 +300,13 @@ def mean_ratio(pairs):
     return math.exp(sum(logs) / len(logs)) if logs else None
 
 
+def time_ratio(pairs):
+    """The ratio of the sums of seconds, after to before; None where there are none."""
+    sums = [sum(float(row["seconds"]) for row in rows if row["seconds"] != ABSENT)
+            for rows in zip(*pairs)]
+    return sums[1] / sums[0] if pairs and sums[0] > 0.0 else None
+
+
 def print_difference(before, after):
     """A line for a row that is better; all of one that is worse. -1, 0 or 1, as compare_rows."""
     sign, name = compare_rows(before, after)
@@ -315,6 +333,11 @@ def compare(arguments):
     ratio = mean_ratio(pairs)
     if ratio is not None:
         print(f"RMS distance, geometric mean of the ratios: {ratio:.4f}")
+    for name, some in (("all rows", pairs),
+                       ("rows that were not right", [pair for pair in pairs if is_wrong(pair[0])])):
+        ratio = time_ratio(some)
+        if ratio is not None:
+            print(f"seconds of {name}, ratio of the sums: {ratio:.3f}")
     for path, lone in ((arguments.before, before.keys() - after.keys()),
                        (arguments.after, after.keys() - before.keys())):
         if lone:
@@ -350,6 +373,7 @@ def parse(words):
                      help="surfaces of this name, or pattern as 'cad_*'; may be repeated")
     one.add_argument("--timeout", type=float, default=3600.0, metavar="SECONDS",
                      help="after which a run has failed; default 3600")
+    one.add_argument("--seconds", action="store_true", help="note the processor time of each run")
     one.set_defaults(call=run)
     two = commands.add_parser("compare", help="compare two tables")
     two.add_argument("before", metavar="BEFORE")

@@ -1,6 +1,7 @@
 // Flipped triangles whose corners cannot move, and that no edge turns back alone.
-#include "Placement/CavityRepair.h"
-#include "Placement/FlipSearch.h"
+#include "Repair/CavityRepair.h"
+#include "Repair/MeshRepair.h"
+#include "Repair/FlipSearch.h"
 #include "Placement/TriangleShape.h"
 #include "Placement/WholeSurface.h"
 #include "Support/Random.h"
@@ -79,7 +80,7 @@ Offset refillAll(
   std::vector<Point3> places = positions;
   RepairedMesh mesh(fixture.problem, fixture.near, positions, triangles, places);
   const RepairContext context{ fixture.problem, positions, RunControl(), true, strayCost };
-  FlipRepair repair;
+  MeshEdits repair;
   for (bool any = true; any;)
   {
     any = false;
@@ -164,11 +165,11 @@ void testPolygons()
     triangles = fan(corners);
     const std::vector<Point3> before = positions;
     FlipSearch search(fixture.near);
-    FlipRepair repair;
-    CHECK(repairFlips({ fixture.problem, fixture.near, before, before, RunControl() },
-      FlipSteps::Refill, search, triangles, positions, repair)
+    MeshEdits repair;
+    CHECK(repairMesh({ fixture.problem, fixture.near, before, before, RunControl() },
+      MeshSteps::Refill, search, triangles, positions, repair)
             .ok());
-    CHECK_EQUAL(repair.flippedTriangles, Offset(0));
+    CHECK_EQUAL(repair.inverted, Offset(0));
     refilled += repair.refilled > 0 ? 1 : 0; // told apart from what needs no refilling
     CHECK(bordersOf(triangles) == bordersOf(fan(corners)));
   }
@@ -202,7 +203,7 @@ void testKept()
   triangles = bent;
   RepairedMesh mesh(fixture.problem, fixture.near, positions, triangles, places);
   const RunControl cancelled({}, []() { return true; });
-  FlipRepair repair;
+  MeshEdits repair;
   CHECK(!refillAround({ fixture.problem, positions, cancelled, true, strayCost }, 0, mesh, repair));
   CHECK(triangles == bent);
 
@@ -242,7 +243,7 @@ void testStrays()
     const NearbySurface near(fixture.problem, 0.0, &whole);
     RepairedMesh mesh(fixture.problem, near, positions, triangles, positions);
     const RepairContext context{ fixture.problem, positions, RunControl(), true, strayCost };
-    FlipRepair repair;
+    MeshEdits repair;
     CHECK(mesh.isFlipped(triangles[t]) && mesh.cost(triangles[t]) < flippedCost);
     fixture.fixed[triangles[t][1]] = 0;
     CHECK(!refillAround(context, t, mesh, repair));

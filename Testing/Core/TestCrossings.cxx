@@ -1,7 +1,7 @@
 // Triangles that go through each other: found as by definition, and parted where sheets are thin.
-#include "Placement/CrossingRepair.h"
-#include "Placement/FlipSearch.h"
-#include "Placement/PartableCrossings.h"
+#include "Repair/CrossingRepair.h"
+#include "Repair/FlipSearch.h"
+#include "Repair/PartableCrossings.h"
 #include "Support/Random.h"
 #include "TestPlacements.h"
 
@@ -159,9 +159,9 @@ void testMending(const PlacementProblem& problem, const RemeshResult& result)
 {
   std::vector<SurfaceLocation> locations = result.locations;
   std::vector<Triple> triangles = result.dual.triangles;
-  Placement placement = result.placement;
+  PlacedVertices placement = result.placement;
   CHECK(
-    mendPlaces(problem, VertexPlacement::Fit, RunControl(), locations, triangles, placement).ok());
+    repairPlacedMesh(problem, VertexPlacement::Fit, RunControl(), locations, triangles, placement).ok());
   CHECK(crossingsOf(triangles, placement.positions).empty());
 }
 
@@ -202,7 +202,7 @@ void testThinBand()
   std::vector<Point3>& positions = result.placement.positions;
   CrossingSearch search(triangles, positions, control);
   RepairedMesh repaired(problem, near, sound, triangles, positions);
-  FlipRepair repair;
+  MeshEdits repair;
   repairCrossings({ problem, sound, control, true, 0.0 }, crossingsOf(triangles, positions), search,
     repaired, repair);
   CHECK(repair.movedVertices > 0);

@@ -1,6 +1,6 @@
 // Cones around the normals of cells: never wrong about a facet, and wide enough to be of use.
 
-#include "Placement/FlipSearch.h"
+#include "Repair/FlipSearch.h"
 #include "Placement/TriangleShape.h"
 #include "TestLanes.h"
 #include "TestPlacements.h"

@@ -2,7 +2,6 @@
 
 #include "TestPlacements.h"
 
-#include "Placement/Retreat.h"
 #include "Support/Random.h"
 
 #include <atomic>
@@ -65,7 +64,7 @@ void testEllipsoids()
       const RemeshResult result =
         test::placedAnew(mesh, c.anisotropy, centroids, static_cast<VertexPlacement>(way));
       rms[way] = test::rmsDistance(mesh, result, 17) / best;
-      CHECK_EQUAL(result.placement.repair.flippedTriangles, 0);
+      CHECK_EQUAL(result.placement.edits.inverted, 0);
     }
     CHECK(rms[0] > 3.0 && rms[1] > 3.0);
     CHECK(rms[2] < 0.75 * rms[1]);
@@ -115,7 +114,7 @@ void testFlips()
       for (const VertexPlacement way : { VertexPlacement::Centroid, VertexPlacement::Fit })
       {
         const RemeshResult result = test::placedAnew(meshes[m], anisotropy, centroids, way);
-        CHECK_EQUAL(result.placement.repair.flippedTriangles, 0);
+        CHECK_EQUAL(result.placement.edits.inverted, 0);
         CHECK_EQUAL(test::countFlipped(meshes[m], result), 0);
       }
     }
@@ -164,7 +163,7 @@ void testFixed()
   for (const VertexPlacement way : { VertexPlacement::Centroid, VertexPlacement::Surface,
          VertexPlacement::Quadric, VertexPlacement::Fit })
   {
-    Placement placement;
+    PlacedVertices placement;
     placement.positions = places;
     std::vector<Triple> triangles = result.dual.triangles;
     std::vector<SurfaceLocation> locations = result.locations;
@@ -192,7 +191,7 @@ void testControl()
   RemeshResult result = test::remeshed(mesh, 0.1, 500, VertexPlacement::Centroid);
   const std::vector<char> none;
   const PlacementProblem problem = problemOf(mesh, surface, result, none);
-  const auto run = [&](const RunControl& control, Placement& placement)
+  const auto run = [&](const RunControl& control, PlacedVertices& placement)
   {
     std::vector<Triple> triangles = result.dual.triangles;
     std::vector<SurfaceLocation> locations = result.locations;
@@ -205,12 +204,12 @@ void testControl()
   {
     RunControl control;
     control.schedule = schedule;
-    Placement placement;
+    PlacedVertices placement;
     CHECK(run(control, placement).ok());
     CHECK(placement.positions == expected.positions);
   }
   std::atomic<int> asked(0);
-  Placement placement;
+  PlacedVertices placement;
   CHECK(run(RunControl({}, [&]() { return ++asked < 0; }), placement).ok());
   const int all = asked;
   for (int k = 1; k < all; k += 1 + all / 23)
@@ -239,47 +238,6 @@ void testSmall()
   }
 }
 
-/** A vertex across its star flips triangles: it goes back to where it was, and no other does. */
-void testRetreat()
-{
-  const SurfaceMesh mesh = test::meshOf(test::icosphere(4));
-  const EmbeddedSurface embedded = test::gaussMapOf(mesh, 0.0);
-  const RemeshResult result = test::remeshed(mesh, 0.0, 200, VertexPlacement::Centroid);
-  const std::vector<char> none;
-  const PlacementProblem problem{ mesh, embedded, result.sites, result.diagram, result.components,
-    result.dual.triangles, none };
-  const NearbySurface surface(problem, leastHeight(mesh));
-  const std::vector<Point3>& others = result.placement.positions;
-  const Triple& triangle = result.dual.triangles[77];
-  std::vector<Point3> positions = others;
-  for (Point3& position : positions)
-  {
-    position += 1e-4 * Point3(1.0, 2.0, 3.0);
-  }
-  const std::vector<Point3> start = positions;
-  positions[triangle[0]] = positions[triangle[1]] + positions[triangle[2]] - positions[triangle[0]];
-  std::vector<Index> flipped;
-  CHECK(FlipSearch(surface).find(result.dual.triangles, positions, RunControl(), flipped).ok());
-  CHECK(!flipped.empty());
-  const Offset moved = retreat(problem, surface, others, flipped, RunControl(), positions);
-  CHECK(moved >= 3);
-  CHECK(moved < 10);
-  Offset differ = 0;
-  for (std::size_t v = 0; v < positions.size(); ++v)
-  {
-    differ += positions[v] != start[v];
-    CHECK(positions[v] == start[v] || positions[v] == others[v]);
-  }
-  CHECK_EQUAL(differ, moved);
-  CHECK(FlipSearch(surface).find(result.dual.triangles, positions, RunControl(), flipped).ok());
-  CHECK(flipped.empty());
-  // Where the other places are no better, all stays.
-  std::vector<Point3> bad = others;
-  bad[triangle[0]] = -bad[triangle[0]];
-  positions = bad;
-  CHECK_EQUAL(retreat(problem, surface, bad, { 77 }, RunControl(), positions), 0);
-  CHECK(positions == bad);
-}
 }
 
 /** Which way the surface faces where it is closest, against all of its facets one by one. */
@@ -384,7 +342,6 @@ int TestPlacement(int, char*[])
   testFixed();
   testControl();
   testSmall();
-  testRetreat();
   testWholeSurface();
   testCoincidentSheets();
   return test::result();

@@ -44,11 +44,11 @@ inline RemeshResult remeshed(
 
 inline Status placeVertices(const PlacementProblem& problem, VertexPlacement way,
   const RunControl& control, std::vector<SurfaceLocation>& locations,
-  std::vector<Triple>& triangles, Placement& placement)
+  std::vector<Triple>& triangles, PlacedVertices& placement)
 {
   const Status status =
     choosePlaces(problem, way, control.step(0, 2), locations, placement.positions);
-  return status.ok() ? mendPlaces(problem, way, control.step(1, 2), locations, triangles, placement)
+  return status.ok() ? repairPlacedMesh(problem, way, control.step(1, 2), locations, triangles, placement)
                      : status;
 }
 

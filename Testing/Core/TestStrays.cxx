@@ -1,7 +1,7 @@
-// FlipRounds: where triangles on one side of a thin sheet lie next to the other side, sites are
-// added until they do not.
+// Repair/SiteProposals: where triangles on one side of a thin sheet lie next to the other side,
+// sites are added until they do not.
 
-#include "RemeshFacing.h"
+#include "Repair/Facing.h"
 #include "TestPlacements.h"
 #include "TestSurfaces.h"
 
@@ -24,11 +24,11 @@ int TestStrays(int, char*[])
     CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
     CHECK_EQUAL(result.components.count(), number);
     CHECK(result.topology.preserved());
-    CHECK_EQUAL(result.placement.repair.flippedEdges, 0); // so the mesh is still the dual
+    CHECK_EQUAL(result.placement.edits.flippedEdges, 0); // so the mesh is still the dual
     const Task task{ mesh, surface, nullptr, options };
-    const std::vector<Index> flipped =
-      flippedTriangles(task, FlipSteps::Move, RunControl(), result).found;
-    CHECK(wrongTriangles(task, flipped, RunControl(), result).empty());
+    const WrongTriangles wrong = findWrongTriangles(task, MeshSteps::Move, RunControl(), result);
+    CHECK(wrong.inverted.empty());
+    CHECK(wrong.strays.empty());
   }
   return test::result();
 }

@@ -121,7 +121,7 @@ void testThinRims()
     }
     CHECK(test::rmsDistance(mesh, fit, 1) < 0.9 * test::rmsDistance(mesh, quadric, 1));
     const RemeshResult repaired = test::placedAnew(mesh, 0.0, centroids, VertexPlacement::Fit);
-    CHECK_EQUAL(repaired.placement.repair.flippedTriangles, 0);
+    CHECK_EQUAL(repaired.placement.edits.inverted, 0);
   }
 }
 

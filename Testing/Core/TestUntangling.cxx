@@ -1,8 +1,8 @@
 // Flipped triangles: vertices that have changed places, and triangles without a height.
-#include "Placement/FlipRepair.h"
+#include "Repair/MeshRepair.h"
 #include "Placement/Retreat.h"
 #include "Placement/TriangleShape.h"
-#include "Placement/Untangling.h"
+#include "Repair/Untangling.h"
 #include "Support/Random.h"
 #include "TestPlacements.h"
 
@@ -114,16 +114,16 @@ void testTurnedBack()
       }
     }
     FlipSearch search(fixture.near);
-    FlipRepair repair;
-    CHECK(repairFlips({ fixture.problem, fixture.near, sound, sound, RunControl() },
-      FlipSteps::MoveAndTurn, search, triangles, positions, repair)
+    MeshEdits repair;
+    CHECK(repairMesh({ fixture.problem, fixture.near, sound, sound, RunControl() },
+      MeshSteps::MoveAndFlip, search, triangles, positions, repair)
             .ok());
     std::vector<Index> left;
     CHECK(search.find(triangles, positions, RunControl(), left).ok()); // judges what has changed
     std::vector<Index> all;
     CHECK(FlipSearch(fixture.near).find(triangles, positions, RunControl(), all).ok());
     CHECK(left == all);
-    CHECK_EQUAL(static_cast<Offset>(all.size()), repair.flippedTriangles);
+    CHECK_EQUAL(static_cast<Offset>(all.size()), repair.inverted);
     RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {
@@ -167,11 +167,11 @@ void testUndone()
     const auto flipped = static_cast<Offset>(fixture.flipped(positions).size());
     CHECK(flipped > 0);
     FlipSearch search(fixture.near);
-    FlipRepair repair;
-    CHECK(repairFlips({ fixture.problem, fixture.near, sound, sound, RunControl() },
-      FlipSteps::MoveAndTurn, search, triangles, positions, repair)
+    MeshEdits repair;
+    CHECK(repairMesh({ fixture.problem, fixture.near, sound, sound, RunControl() },
+      MeshSteps::MoveAndFlip, search, triangles, positions, repair)
             .ok());
-    if (repair.flippedTriangles == flipped)
+    if (repair.inverted == flipped)
     {
       CHECK(positions == before);
       CHECK(triangles == dual);
@@ -199,9 +199,9 @@ void testTooMany()
   CHECK(static_cast<Offset>(fixture.flipped(positions).size()) > mostFlipped(count));
   const std::vector<Point3> before = positions;
   FlipSearch search(fixture.near);
-  FlipRepair repair;
-  CHECK(repairFlips({ fixture.problem, fixture.near, before, before, RunControl() },
-    FlipSteps::MoveAndTurn, search, triangles, positions, repair)
+  MeshEdits repair;
+  CHECK(repairMesh({ fixture.problem, fixture.near, before, before, RunControl() },
+    MeshSteps::MoveAndFlip, search, triangles, positions, repair)
           .ok());
   CHECK_EQUAL(repair.flippedEdges, 0);
   CHECK(triangles == fixture.result.dual.triangles);

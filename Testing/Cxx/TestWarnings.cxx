@@ -117,8 +117,8 @@ void testNumbersOfWrongTriangles()
   {
     NumberOutcome outcome;
     outcome.result.dual.triangles.resize(1000); // of which few are wrong
-    outcome.result.placement.repair.flippedTriangles = flipped;
-    outcome.result.placement.wrongWay = flipped + strays;
+    outcome.result.placement.edits.inverted = flipped;
+    outcome.result.placement.strays = strays;
     return warningsOf(outcome, RemeshOptions(), true);
   };
   CHECK(beginWith(warningsWith(0, 0), {}));

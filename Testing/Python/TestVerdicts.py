@@ -17,7 +17,8 @@ import verdicts  # noqa: E402 pylint: disable=wrong-import-position
 
 RIGHT = {"surface": "cone", "n": "500", "s": "0.04", "outcome": "done", "off": "0",
          "topology": "proven", "faults": "0", "inverted": "0", "strays": "0", "crossings": "0",
-         "rms": "0.01", "largest": "0.1", "bytes": "0123456789ab", "warnings": "-"}
+         "rms": "0.01", "largest": "0.1", "bytes": "0123456789ab", "seconds": "1.5",
+         "warnings": "-"}
 WORSE = {"outcome": "error", "off": "-3", "topology": "lost", "faults": "2", "inverted": "1",
          "strays": "4", "crossings": "1", "rms": "0.0103", "largest": "0.2"}
 

@@ -1,0 +1,232 @@
+#include "Repair/MeshRepair.h"
+
+#include "Repair/CavityRepair.h"
+#include "Repair/Improve.h"
+#include "Repair/RepairedMesh.h"
+#include "Repair/StarRepair.h"
+#include "Repair/TurnedEdges.h"
+#include "Repair/Untangling.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace remesh
+{
+namespace
+{
+constexpr int maxRings = 3;           // around a triangle that vertices move together in
+constexpr Offset maxUntangled = 2000; // with more inverted triangles, points are too few
+constexpr Offset fewInverted = 10;    // as many are worth a row's last efforts
+constexpr double smallGain = 0.02;    // at least, of a step that need not turn a triangle back
+
+/**
+ * With more inverted triangles than this, of so many, the surface has no sides to tell, or far too
+ * few points: steps that take long are left out, as they would help nothing.
+ */
+Offset maxInverted(Offset triangles)
+{
+  return std::max<Offset>(100, triangles / 20);
+}
+
+/** The mesh and the triangles that are inverted. */
+class MeshCandidate
+{
+public:
+  struct State
+  {
+    std::vector<Triple> triangles;
+    std::vector<Point3> positions;
+    MeshEdits edits;
+  };
+
+  MeshCandidate(const MeshTask& task, FlipSearch& search, std::vector<Triple>& triangles,
+    std::vector<Point3>& positions, MeshEdits& edits)
+    : m_task(task)
+    , m_search(search)
+    , m_triangles(triangles)
+    , m_positions(positions)
+    , m_edits(edits)
+  {
+    this->readMesh();
+  }
+
+  Status judge(const RunControl& /*control*/)
+  {
+    const Status status = m_search.find(m_triangles, m_positions, m_task.control, m_inverted);
+    m_edits.inverted = static_cast<Offset>(m_inverted.size());
+    return status;
+  }
+
+  Offset verdict() const { return m_edits.inverted; }
+  State state() const { return { m_triangles, m_positions, m_edits }; }
+  void restore(const State& state)
+  {
+    m_triangles = state.triangles;
+    m_positions = state.positions;
+    m_edits = state.edits;
+    this->readMesh();
+  }
+
+  const MeshTask& task() const { return m_task; }
+  const std::vector<Index>& inverted() const { return m_inverted; }
+  Offset numberOfTriangles() const { return static_cast<Offset>(m_triangles.size()); }
+  RepairedMesh& mesh() { return *m_mesh; }
+  MeshEdits& edits() { return m_edits; }
+
+private:
+  void readMesh()
+  {
+    m_mesh.emplace(m_task.problem, m_task.surface, m_task.shapes, m_triangles, m_positions);
+  }
+
+  const MeshTask& m_task;
+  FlipSearch& m_search;
+  std::vector<Triple>& m_triangles;
+  std::vector<Point3>& m_positions;
+  MeshEdits& m_edits;
+  std::vector<Index> m_inverted;
+  std::optional<RepairedMesh> m_mesh;
+};
+
+/** What one pass over the inverted triangles may do. */
+struct Pass
+{
+  MeshSteps steps;            ///< for which it is made
+  bool movesTogether = false; ///< vertices around a triangle
+  bool flipsEdges = false;
+  bool mayWorsen = false;       ///< what it cannot mend; and tries more places
+  Effort effort = Effort::None; ///< around a triangle that nothing helps alone
+};
+
+class PassProposal : public Proposal<MeshCandidate>
+{
+public:
+  PassProposal(const Pass& pass, bool refills)
+    : m_pass(pass)
+    , m_refills(refills)
+  {
+  }
+
+  bool answers(const MeshCandidate& candidate) const override
+  {
+    const Offset inverted = candidate.verdict();
+    return inverted > 0 &&
+      (m_pass.steps == MeshSteps::Move || inverted <= maxInverted(candidate.numberOfTriangles()));
+  }
+
+  /** Declines where no step is of use. */
+  Status edit(
+    MeshCandidate& candidate, int /*edit*/, const RunControl& /*control*/, bool& done) override
+  {
+    const MeshTask& task = candidate.task();
+    const RepairContext context{ task.problem, task.surfacePlaces, task.control, m_pass.flipsEdges,
+      m_pass.mayWorsen ? smallGain : strayCost };
+    const MeshEdits before = candidate.edits();
+    for (const Index triangle : candidate.inverted())
+    {
+      if (task.control.cancelled())
+      {
+        return Status::cancelled();
+      }
+      this->mend(context, triangle, candidate);
+    }
+    const MeshEdits& after = candidate.edits();
+    done = after.movedVertices != before.movedVertices ||
+      after.flippedEdges != before.flippedEdges || after.refilled != before.refilled;
+    return Status::success();
+  }
+
+private:
+  /** Tries what the pass may do, until the triangle is turned back. */
+  void mend(const RepairContext& context, Index triangle, MeshCandidate& candidate) const
+  {
+    RepairedMesh& mesh = candidate.mesh();
+    MeshEdits& edits = candidate.edits();
+    const auto isInverted = [&]() { return mesh.isFlipped(mesh.triangles()[triangle]); };
+    if (isInverted())
+    {
+      mendTriangle(context, triangle, mesh, edits);
+    }
+    const bool together = m_pass.movesTogether && candidate.verdict() <= maxUntangled;
+    for (int rings = 1; rings <= maxRings && together && isInverted(); ++rings)
+    {
+      edits.movedVertices +=
+        untangle(context.problem, candidate.task().surface, triangle, rings, context.control, mesh);
+    }
+    if (m_pass.effort != Effort::None && isInverted())
+    {
+      mendAround(context, triangle, m_pass.effort, mesh, edits);
+    }
+    if (m_refills && candidate.verdict() <= maxUntangled && isInverted())
+    {
+      refillAround(context, triangle, mesh, edits);
+    }
+  }
+
+  Pass m_pass;
+  bool m_refills;
+};
+
+struct PassRow
+{
+  const char* name;
+  Pass pass;
+  int mostEdits;
+  int patience;
+};
+
+/** Passes of more and more effort. */
+const PassRow passes[] = {
+  { "move vertices", { MeshSteps::Move }, 3, 0 },
+  { "move vertices together", { MeshSteps::Move, true }, 1, 0 },
+  { "flip edges", { MeshSteps::MoveAndFlip, false, true }, 1, 0 },
+  { "mend around", { MeshSteps::MoveAndFlip, true, true, true, Effort::OwnStars }, 4, 2 },
+  { "mend farther", { MeshSteps::MoveAndFlip, true, true, true, Effort::Neighbours }, 4, 2 },
+  { "keep what helps later", { MeshSteps::MoveAndFlip, true, true, true, Effort::KeptAnyway }, 8,
+    3 },
+};
+
+Improvement<MeshCandidate>::Table tableOf(MeshSteps steps)
+{
+  Improvement<MeshCandidate>::Table table;
+  for (const PassRow& row : passes)
+  {
+    if (row.pass.steps <= steps)
+    {
+      const bool refills = steps == MeshSteps::Refill && row.pass.mayWorsen;
+      table.push_back({ row.name, std::make_unique<PassProposal>(row.pass, refills), row.mostEdits,
+        row.patience });
+    }
+  }
+  return table;
+}
+}
+
+Status repairMesh(const MeshTask& task, MeshSteps steps, FlipSearch& search,
+  std::vector<Triple>& triangles, std::vector<Point3>& positions, MeshEdits& edits)
+{
+  edits = MeshEdits{};
+  const std::vector<Triple> dual = steps == MeshSteps::Move ? std::vector<Triple>() : triangles;
+  {
+    MeshCandidate candidate(task, search, triangles, positions, edits);
+    Improvement<MeshCandidate>::Table table = tableOf(steps);
+    Status status = candidate.judge(task.control);
+    if (status.ok())
+    {
+      status = Improvement<MeshCandidate>(table, candidate).run(task.control.silent());
+    }
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
+  if (edits.flippedEdges > 0)
+  {
+    RepairedMesh repaired(task.problem, task.surface, task.shapes, triangles, positions);
+    turnBack(dual, repaired, edits);
+    edits.refilled = std::min(edits.refilled, edits.flippedEdges);
+  }
+  return Status::success();
+}
+}

@@ -1,0 +1,48 @@
+/**
+ * @file StarRepair.h
+ * @brief Turns one flipped triangle back by what is around it.
+ */
+#ifndef remesh_StarRepair_h
+#define remesh_StarRepair_h
+
+#include "Repair/MeshEdits.h"
+#include "Repair/RepairedMesh.h"
+#include "Support/RunControl.h"
+
+#include <vector>
+
+namespace remesh
+{
+/** What may change around a triangle that nothing helps alone. */
+enum class Effort
+{
+  None,
+  OwnStars,   ///< the stars of its corners; undone if that does not help
+  Neighbours, ///< those of their neighbours, too; undone if that does not help
+  KeptAnyway  ///< the same, and it stays: something may help later
+};
+
+/** What a repair reads, and the least gain of a step in the pass it is in. */
+struct RepairContext
+{
+  const PlacementProblem& problem;
+  const std::vector<Point3>& surfacePlaces;
+  const RunControl& control;
+  bool mayTurn;
+  double gain;
+};
+
+/** Places for a vertex: around its cell, and between its neighbours. */
+std::vector<Point3> placesFor(
+  const RepairContext& context, Index vertex, bool many, RepairedMesh& mesh);
+
+/** Moves the corners of a triangle, then turns its edges, until it is turned back. */
+void mendTriangle(
+  const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits);
+
+/** Moves and turns what is around a triangle that nothing helps alone; see Effort. */
+void mendAround(const RepairContext& context, Index triangle, Effort effort, RepairedMesh& mesh,
+  MeshEdits& edits);
+}
+
+#endif
