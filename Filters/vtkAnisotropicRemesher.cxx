@@ -5,7 +5,7 @@
 #include "Adaptors/OutputPorts.h"
 #include "Adaptors/ParameterCheck.h"
 #include "Adaptors/SurfaceIntake.h"
-#include "Remesh.h"
+#include "Pipeline/RunRequest.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -95,13 +95,14 @@ int vtkAnisotropicRemesher::RequestWhole(
     remesh::emptyPorts(outputVector);
     return 0;
   }
-  const bool preserve = this->PreserveFeatures && !initialSites;
-  this->Internals->Features = { preserve, this->FeatureAngle };
+  remesh::RunRequest request;
+  request.preparation.preserveFeatures = this->PreserveFeatures && !initialSites;
+  request.preparation.featureAngle = this->FeatureAngle;
   const bool isOnePercent = this->MaximumNumberOfExtraPoints == ONE_PERCENT;
-  this->Internals->Tolerance = { isTolerance ? this->DistanceTolerance : 0.0,
+  request.tolerance = { isTolerance ? this->DistanceTolerance : 0.0,
     this->DistanceToleranceIsAbsolute, this->MaximumNumberOfPoints, isOnePercent };
-  remesh::RemeshOptions options;
-  options.exactNumber = preserve;
+  remesh::RemeshOptions& options = request.options;
+  options.exactNumber = request.preparation.preserveFeatures;
   options.numberOfSites = this->NumberOfPoints;
   options.maximumExtraPoints = isOnePercent         ? points / 100
     : this->MaximumNumberOfExtraPoints == UNLIMITED ? remesh::maximumIndex
@@ -115,8 +116,7 @@ int vtkAnisotropicRemesher::RequestWhole(
   options.quasiNewton.historyLength = this->HistoryLength;
   options.quasiNewton.gradientTolerance = this->GradientTolerance;
   options.quasiNewton.energyTolerance = this->EnergyTolerance;
-  const int done =
-    this->ComputeDiagram(inputVector, outputVector, options, initialSites, this->Seed);
+  const int done = this->ComputeDiagram(inputVector, outputVector, std::move(request));
   if (done && !isEmpty && initialSites && this->DistanceTolerance > 0.0)
   {
     vtkWarningMacro("The distance tolerance does not count: initial sites give the number of "

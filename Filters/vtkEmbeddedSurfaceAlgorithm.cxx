@@ -2,9 +2,11 @@
 
 #include "vtkEmbeddedSurfaceInternals.h"
 
+#include "Adaptors/CellLabels.h"
 #include "Adaptors/ChosenArrays.h"
 #include "Adaptors/OutputPorts.h"
 #include "Adaptors/ParameterCheck.h"
+#include "Adaptors/PointArrays.h"
 #include "Adaptors/SurfaceIntake.h"
 
 #include "vtkDataArray.h"
@@ -119,6 +121,44 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::CheckParameters()
   return check.status();
 }
 
+namespace
+{
+/** The labels that features are to keep apart. */
+remesh::Status findLabels(
+  vtkInformation* choice, vtkPolyData* input, remesh::PreparationRequest& request)
+{
+  vtkAbstractArray* labels = nullptr;
+  remesh::Status status = remesh::findCellArray(choice, input, "labels", labels);
+  if (status.ok() && labels && request.preserveFeatures)
+  {
+    status = remesh::readCellLabels(labels, input->GetNumberOfCells(), request.cellLabels);
+  }
+  if (status.ok() && request.preserveFeatures)
+  {
+    remesh::addRegions(input, request.cellLabels);
+  }
+  return status;
+}
+
+/** What is active is taken if it is there; with "None", nothing is told of jumps either. */
+remesh::Status findSeams(
+  vtkInformation* choice, vtkPolyData* input, remesh::PreparationRequest& request)
+{
+  if (remesh::isChosenByName(choice) &&
+    choice->Get(vtkDataObject::FIELD_NAME()) == std::string("None"))
+  {
+    return remesh::Status::success();
+  }
+  request.carried = remesh::carriedPointArrays(input);
+  if (remesh::isPointAttribute(choice, vtkDataSetAttributes::TCOORDS))
+  {
+    request.seams = remesh::lentArray(input->GetPointData()->GetTCoords());
+    return remesh::Status::success();
+  }
+  return remesh::findPointArray(choice, input, "seams", request.seams);
+}
+}
+
 remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::FindNormals(
   vtkEmbeddedSurfaceAlgorithm* self, vtkPolyData* input, remesh::PreparationRequest& request)
 {
@@ -132,11 +172,49 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::FindNormals(
       choice->Get(vtkDataObject::FIELD_NAME()) == std::string("Automatic"));
   if (isAutomatic) // what is active is taken if it is there
   {
-    request.normals = input->GetPointData()->GetNormals();
+    request.normals = remesh::lentArray(input->GetPointData()->GetNormals());
     return remesh::Status::success();
   }
   request.normalsRequired = true;
   return remesh::findPointArray(choice, input, "normals", request.normals);
+}
+
+remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::FindArrays(
+  vtkEmbeddedSurfaceAlgorithm* self, vtkPolyData* input, remesh::PreparationRequest& request)
+{
+  remesh::Status status = FindNormals(self, input, request);
+  const auto find = [&](int index, const char* role, std::optional<remesh::PointArray>& array)
+  {
+    if (status.ok())
+    {
+      status = remesh::findPointArray(self->GetInputArrayInformation(index), input, role, array);
+    }
+  };
+  find(1, "embedding", request.embedding);
+  find(5, "metric", request.metric);
+  find(3, "density", request.density);
+  if (status.ok())
+  {
+    status = findLabels(self->GetInputArrayInformation(2), input, request);
+  }
+  if (status.ok())
+  {
+    status = findSeams(self->GetInputArrayInformation(4), input, request);
+  }
+  for (const auto& [name, scale] : self->Internals->CoordinateArrays)
+  {
+    vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+    if (status.ok() && !array)
+    {
+      status = remesh::Status::invalid("The input has no numeric point array \"" + name +
+        "\", chosen as coordinates of the embedding.");
+    }
+    if (status.ok())
+    {
+      request.coordinates.emplace_back(*remesh::lentArray(array), scale);
+    }
+  }
+  return status;
 }
 
 remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
@@ -148,78 +226,19 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   {
     return status;
   }
+  request.source = remesh::sourceOf(input);
   request.gaussMap = self->EmbeddingMode == GAUSS_MAP;
   request.anisotropy = self->Anisotropy;
   request.normalSmoothingPasses = self->NormalSmoothingPasses;
   request.smoothingRadius = self->NormalSmoothingRadius;
   request.mergeTolerance = self->MergeTolerance;
-
-  const FeatureRequest& features = self->Internals->Features;
-  request.preserveFeatures = features.Preserve;
-  request.featureAngle = features.Angle;
-
-  if (remesh::Status status = FindNormals(self, input, request); !status.ok())
-  {
-    return status;
-  }
-  vtkInformation* embedding = self->GetInputArrayInformation(1);
-  if (remesh::Status status =
-        remesh::findPointArray(embedding, input, "embedding", request.embedding);
-      !status.ok())
-  {
-    return status;
-  }
-  vtkInformation* metric = self->GetInputArrayInformation(5);
-  if (remesh::Status status = remesh::findPointArray(metric, input, "metric", request.metric);
-      !status.ok())
-  {
-    return status;
-  }
   request.metricOrder = static_cast<remesh::TensorOrder>(self->MetricOrder);
   request.metricDimension = self->MetricDimension;
-  if (request.metric && (request.embedding || !self->Internals->CoordinateArrays.empty()))
-  {
-    return remesh::Status::invalid(
-      "A metric is an embedding: choose it, or an embedding and coordinate arrays.");
-  }
-  vtkInformation* labels = self->GetInputArrayInformation(2);
-  if (remesh::Status status = remesh::findCellArray(labels, input, "labels", request.labels);
-      !status.ok())
-  {
-    return status;
-  }
-  vtkInformation* density = self->GetInputArrayInformation(3);
-  if (remesh::Status status = remesh::findPointArray(density, input, "density", request.density);
-      !status.ok())
-  {
-    return status;
-  }
-  vtkInformation* seams = self->GetInputArrayInformation(4);
-  if (remesh::isPointAttribute(seams, vtkDataSetAttributes::TCOORDS))
-  {
-    request.seams = input->GetPointData()->GetTCoords(); // taken if it is there
-  }
-  else if (remesh::isChosenByName(seams) &&
-    seams->Get(vtkDataObject::FIELD_NAME()) == std::string("None"))
-  {
-    request.tellsJumps = false;
-  }
-  else if (remesh::Status status = remesh::findPointArray(seams, input, "seams", request.seams);
-           !status.ok())
-  {
-    return status;
-  }
-  for (const auto& [name, scale] : self->Internals->CoordinateArrays)
-  {
-    vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
-    if (!array)
-    {
-      return remesh::Status::invalid("The input has no numeric point array \"" + name +
-        "\", chosen as coordinates of the embedding.");
-    }
-    request.coordinates.emplace_back(array, scale);
-  }
-  return remesh::Status::success();
+  remesh::Status status = FindArrays(self, input, request);
+  return status.ok() && request.metric && (request.embedding || !request.coordinates.empty())
+    ? remesh::Status::invalid(
+        "A metric is an embedding: choose it, or an embedding and coordinate arrays.")
+    : status;
 }
 
 vtkEmbeddedSurfaceAlgorithm::vtkInternals::Outcome

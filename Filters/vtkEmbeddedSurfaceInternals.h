@@ -8,8 +8,7 @@
 #include "vtkEmbeddedSurfaceAlgorithm.h"
 
 #include "Adaptors/ExecutionScope.h"
-#include "Adaptors/SurfacePreparation.h"
-#include "Adaptors/ToleranceRun.h"
+#include "Preparation/SurfacePreparation.h"
 
 #include <functional>
 #include <map>
@@ -22,16 +21,6 @@ class vtkPolyData;
 struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
 {
   std::vector<std::pair<std::string, double>> CoordinateArrays;
-
-  /** What a subclass wants of features, for the next execution. */
-  struct FeatureRequest
-  {
-    bool Preserve = false;
-    double Angle = 35.0;
-  } Features;
-
-  /** A distance instead of a number of points, for the next execution. */
-  remesh::ToleranceRequest Tolerance;
 
   /** Facts about the last execution. */
   struct Facts
@@ -50,9 +39,14 @@ struct vtkEmbeddedSurfaceAlgorithm::vtkInternals
   static remesh::Status FindNormals(
     vtkEmbeddedSurfaceAlgorithm* self, vtkPolyData* input, remesh::PreparationRequest& request);
 
+  /** All arrays that are chosen. */
+  static remesh::Status FindArrays(
+    vtkEmbeddedSurfaceAlgorithm* self, vtkPolyData* input, remesh::PreparationRequest& request);
+
   /**
-   * The filter's parameters and chosen arrays as a request; fails for an input without polygons
-   * (EmptyInput, InvalidInput as checkForPolygons), and then for arrays that are missing.
+   * Adds the surface, the filter's parameters and chosen arrays to a request, in which the features
+   * are; fails for an input without polygons (EmptyInput, InvalidInput as checkForPolygons), and
+   * then for arrays that are missing.
    */
   static remesh::Status MakeRequest(vtkEmbeddedSurfaceAlgorithm* self,
     vtkInformationVector** inputVector, remesh::PreparationRequest& request);

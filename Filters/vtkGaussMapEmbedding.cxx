@@ -74,13 +74,13 @@ int vtkGaussMapEmbedding::RequestWhole(
       request.mayLend = true;
       if (status.ok())
       {
-        status = remesh::prepareSurface(input, request, remesh::makeRunControl(this), prepared);
+        status = remesh::prepareSurface(request, remesh::makeRunControl(this), prepared);
       }
       facts.Intake = prepared.intake;
       if (status.ok())
       {
         output->ShallowCopy(input);
-        addEmbedding(prepared, request.embedding == nullptr, output);
+        addEmbedding(prepared, !request.embedding, output);
       }
       return status;
     });

@@ -5,14 +5,14 @@
 #include "Adaptors/DiagramOutput.h"
 #include "Adaptors/Distribution.h"
 #include "Adaptors/MeshBlocks.h"
-#include "Adaptors/NumberRun.h"
 #include "Adaptors/ParameterCheck.h"
+#include "Adaptors/PointArrays.h"
 #include "Adaptors/ProgressAdaptor.h"
 #include "Adaptors/ReservedNames.h"
-#include "Adaptors/RunWarnings.h"
 #include "Features/FeatureGraph.h"
-#include "MeshDistance.h"
-#include "RemeshTask.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/RunWarnings.h"
+#include "Run/Task.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -149,9 +149,8 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
     {
       if (choice.VoronoiCells || choice.Edges)
       {
-        const auto& features = source.prepared.features;
         edges = remesh::buildCutEdgeTable(
-          source.prepared.mesh, features ? &*features : nullptr, source.control);
+          source.prepared.mesh, source.prepared.featuresOrNone(), source.control);
         // When one of these is cancelled, so is the run, which is asked about after each step.
         if (!source.control.cancelled())
         {
@@ -196,18 +195,8 @@ remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice&
   return remesh::Status::success();
 }
 
-/** The mesh for a number of points, or for given sites. */
-remesh::Status makeMesh(const remesh::NumberRequest& request, bool measuresDistance,
-  const remesh::RunControl& control, remesh::RemeshOptions& options, remesh::NumberOutcome& outcome)
-{
-  const remesh::Status status = remesh::remeshWithNumber(request, options, control, outcome);
-  return status.ok() && measuresDistance
-    ? remesh::findDistance(outcome.prepared.inputMesh(), control.silent(), outcome.result)
-    : status;
-}
-
 /** Wall time by phase, but for that of the outputs. */
-std::map<std::string, double> secondsOf(const remesh::NumberOutcome& outcome)
+std::map<std::string, double> secondsOf(const remesh::RunOutcome& outcome)
 {
   const remesh::RemeshResult::Seconds& seconds = outcome.result.seconds;
   return { { "intake", outcome.intakeSeconds }, { "sampling", seconds.sampling },
@@ -218,47 +207,38 @@ std::map<std::string, double> secondsOf(const remesh::NumberOutcome& outcome)
 }
 
 int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, remesh::RemeshOptions& options, vtkPointSet* sites, int seed)
+  vtkInformationVector* outputVector, remesh::RunRequest request)
 {
   auto& facts = this->Internals->LastRun;
   const remesh::RunControl control = remesh::makeRunControl(this);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  remesh::NumberOutcome outcome;
-  remesh::PreparedSurface& prepared = outcome.prepared;
-  const remesh::DiagramSource source{ input, prepared, outcome.result, outcome.given.places, seed,
-    control.silent(), remesh::blocksOfCells(input) };
   const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
     this->MaximumCellEmbeddingDimension };
   const bool writesDiagram =
     choice.VoronoiCells || choice.Edges || input->GetCellData()->GetNumberOfArrays() > 0;
-  const remesh::ToleranceRequest& tolerance = this->Internals->Tolerance;
-  const bool hasNumber = !(tolerance.tolerance > 0.0);
+  request.sites = remesh::givenSites(vtkPointSet::GetData(inputVector[1]));
+  request.options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
+  request.options.keepDiagram = writesDiagram;
+  request.measuresDistance = this->MeasureDistance;
+  request.memory = remesh::machineMemory();
+  request.preparation.mayLend = true;
+  request.preparation.mayRefine = true;
+  // Only the cells show the coordinates.
+  request.preparation.mostKeptDimensions = choice.VoronoiCells ? choice.LargestDimension : 0;
+  remesh::RunOutcome outcome;
+  remesh::PreparedSurface& prepared = outcome.prepared;
+  const remesh::DiagramSource source{ input, prepared, outcome.result, outcome.given.places,
+    static_cast<int>(request.options.seed), control.silent(), remesh::blocksOfCells(input) };
 
   const auto ended = vtkInternals::Execute(this, outputVector,
     [&]() -> remesh::Status
     {
-      remesh::PreparationRequest request;
-      remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request);
+      remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request.preparation);
       if (!status.ok())
       {
         return status;
       }
-      options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
-      if ((request.embedding || request.metric) &&
-        options.placement == remesh::VertexPlacement::Fit)
-      {
-        options.placement = remesh::VertexPlacement::HeldFit; // the spacing is the user's
-      }
-      options.keepDiagram = writesDiagram || !hasNumber;
-      request.numberOfSites = sites ? sites->GetNumberOfPoints() : options.numberOfSites;
-      request.mayLend = true;
-      request.mayRefine = true;
-      // Only the cells show the coordinates.
-      request.mostKeptDimensions = choice.VoronoiCells ? choice.LargestDimension : 0;
-      const remesh::RunControl making = control.part(0.0, 0.95);
-      status = hasNumber
-        ? makeMesh({ input, sites, request }, this->MeasureDistance, making, options, outcome)
-        : remesh::remeshWithin(tolerance, { input, nullptr, request }, options, making, outcome);
+      status = remesh::makeMesh(request, control.part(0.0, 0.95), outcome);
       facts.Intake = prepared.intake;
       facts.Seconds = secondsOf(outcome);
       if (!status.ok())
@@ -278,7 +258,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   {
     return ended == vtkInternals::Outcome::Nothing;
   }
-  std::vector<std::string> warnings = remesh::warningsOf(outcome, options, hasNumber);
+  std::vector<std::string> warnings = remesh::warningsOf(request, outcome);
   if (std::string distribution = remesh::describeDistribution(inputVector[0]);
       !distribution.empty())
   {

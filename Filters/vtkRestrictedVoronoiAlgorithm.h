@@ -31,18 +31,19 @@
  * distance to the site in R^d.
  *
  * Field data of port 0:
- * - `NumberOfFlippedTriangles`: their normals make more than 90 degrees with the closest part of the
- *   surface that their points' cells meet, or their corners are all but collinear;
- * - `NumberOfStrayTriangles`: others that make more than 90 degrees with another part of the surface,
- *   which is closer to their centres. So it is where two sheets are closer than a chord to its arc;
+ * - `NumberOfFlippedTriangles`: their normals make more than 90 degrees with the closest part of
+ * the surface that their points' cells meet, or their corners are all but collinear;
+ * - `NumberOfStrayTriangles`: others that make more than 90 degrees with another part of the
+ * surface, which is closer to their centres. So it is where two sheets are closer than a chord to
+ * its arc;
  * - `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `Seed`;
  * - `NumberOfExtraPoints`: points beyond those asked for; below 0: fewer. Where sites are given,
  *   features are not preserved or there is a distance tolerance: beyond the number of sites;
  * - `MaximumDistance`, with MeasureDistance: the largest found from mesh to surface or back; with a
  *   distance tolerance, a bound that no point passes. In the unit of the points;
  * - `RMSDistance`, likewise: the root of the mean of both mean squares;
- * - `NormalSmoothingRadius`: the distance over which estimated normals were smoothed, 0 if they were
- *   not. Absent where none are estimated, none count, or passes were asked for.
+ * - `NormalSmoothingRadius`: the distance over which estimated normals were smoothed, 0 if they
+ * were not. Absent where none are estimated, none count, or passes were asked for.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball
@@ -77,7 +78,7 @@ class vtkTable;
 
 namespace remesh
 {
-struct RemeshOptions;
+struct RunRequest;
 }
 
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkRestrictedVoronoiAlgorithm
@@ -229,11 +230,11 @@ protected:
 
   /**
    * The whole of a diagram filter's RequestData: prepares the surface of input port 0, runs the
-   * core with these options (and sites, if not nullptr) and fills the outputs. Returns 1, or 0
-   * after an error, with empty outputs.
+   * core for the request (and the sites of port 1, if there are any) and fills the outputs. Returns
+   * 1, or 0 after an error, with empty outputs.
    */
   int ComputeDiagram(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
-    remesh::RemeshOptions& options, vtkPointSet* sites, int seed);
+    remesh::RunRequest request);
 
 private:
   vtkRestrictedVoronoiAlgorithm(const vtkRestrictedVoronoiAlgorithm&) = delete;

@@ -1,10 +1,9 @@
 #include "vtkRestrictedVoronoiDiagram.h"
 
-#include "Remesh.h"
+#include "Pipeline/RunRequest.h"
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointSet.h"
 
 vtkStandardNewMacro(vtkRestrictedVoronoiDiagram);
 
@@ -24,10 +23,9 @@ void vtkRestrictedVoronoiDiagram::SetSitesData(vtkDataObject* sites)
 int vtkRestrictedVoronoiDiagram::RequestWhole(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  remesh::RemeshOptions options;
-  options.optimize = false;
-  return this->ComputeDiagram(
-    inputVector, outputVector, options, vtkPointSet::GetData(inputVector[1]), 0);
+  remesh::RunRequest request;
+  request.options.optimize = false;
+  return this->ComputeDiagram(inputVector, outputVector, std::move(request));
 }
 
 void vtkRestrictedVoronoiDiagram::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Keeps the tree in layers: who may include whom, and that every source is in a list.
 
-1. Includes go Filters -> Adaptors -> Core/Remesh -> stages -> Support; stages form no cycle.
+1. Includes go Filters -> Adaptors -> Core/Pipeline -> Core/Remesh -> Core/Repair -> Core/Run ->
+   stages -> Support; stages form no cycle.
 2. One seam for each outside library: in the core only Support/Parallel includes VTK headers,
    nanoflann is included by the neighbour search alone, and vtkSMPTools is used by Parallel and
    one adaptor alone.
@@ -15,7 +16,8 @@ ROOT = Path(__file__).resolve().parent.parent
 FILTERS = ROOT / "Filters"
 CORE = FILTERS / "Core"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
-RANK = {"Support": 0, "stage": 1, "Remesh": 2, "Adaptors": 3, "Filters": 4}
+RANK = {"Support": 0, "stage": 1, "Run": 2, "Repair": 3, "Remesh": 4, "Pipeline": 5, "Adaptors": 6,
+        "Filters": 7}
 
 problems = []
 

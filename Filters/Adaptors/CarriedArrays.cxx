@@ -117,7 +117,7 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
     {
       // The normals of the mesh stand for those of the input, used or not.
       if (name != "Normals" &&
-        std::find(own.replaced.begin(), own.replaced.end(), array) == own.replaced.end())
+        std::find(own.replaced.begin(), own.replaced.end(), nameOf(array)) == own.replaced.end())
       {
         lost.taken.push_back(name);
       }

@@ -45,8 +45,8 @@ struct CarriedArray
 struct OwnArrays
 {
   Names names; ///< of all there may be
-  /** Those of the input whose values they stand for: these are left out without a warning. */
-  std::vector<vtkAbstractArray*> replaced;
+  /** Of those of the input whose values they stand for: these are left out without a warning. */
+  std::vector<std::string> replaced;
 };
 
 /** Whether the means of an array's values mean something: measures and colours, but not labels. */

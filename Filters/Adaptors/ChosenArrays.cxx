@@ -1,6 +1,7 @@
 #include "Adaptors/ChosenArrays.h"
 
 #include "Adaptors/BlockNames.h"
+#include "Adaptors/PointArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -96,11 +97,11 @@ bool isPointAttribute(vtkInformation* choice, int attribute)
 }
 
 Status findPointArray(
-  vtkInformation* choice, vtkPolyData* input, const char* role, vtkDataArray*& array)
+  vtkInformation* choice, vtkPolyData* input, const char* role, std::optional<PointArray>& array)
 {
   vtkAbstractArray* found = nullptr;
   Status status = findArray(choice, input, vtkDataObject::FIELD_ASSOCIATION_POINTS, role, found);
-  array = vtkDataArray::SafeDownCast(found);
+  array = lentArray(vtkDataArray::SafeDownCast(found));
   return status;
 }
 

@@ -5,10 +5,12 @@
 #ifndef remesh_ChosenArrays_h
 #define remesh_ChosenArrays_h
 
+#include "Preparation/PointArray.h"
 #include "Support/Status.h"
 
+#include <optional>
+
 class vtkAbstractArray;
-class vtkDataArray;
 class vtkInformation;
 class vtkPolyData;
 
@@ -24,13 +26,13 @@ bool isPointAttribute(vtkInformation* choice, int attribute);
  * A numeric point array, chosen by its name or as the active attribute of a type.
  *
  * @param role how messages call it.
- * @param array nullptr where nothing is chosen.
+ * @param array none where nothing is chosen.
  * @return InvalidInput where what is chosen is not there, or is no numeric point array.
  */
 Status findPointArray(
-  vtkInformation* choice, vtkPolyData* input, const char* role, vtkDataArray*& array);
+  vtkInformation* choice, vtkPolyData* input, const char* role, std::optional<PointArray>& array);
 
-/** A cell array of any kind, likewise. */
+/** A cell array of any kind, likewise, or nullptr. */
 Status findCellArray(
   vtkInformation* choice, vtkPolyData* input, const char* role, vtkAbstractArray*& array);
 }

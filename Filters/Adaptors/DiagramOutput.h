@@ -8,7 +8,7 @@
 #ifndef remesh_DiagramOutput_h
 #define remesh_DiagramOutput_h
 
-#include "Adaptors/SurfacePreparation.h"
+#include "Preparation/SurfacePreparation.h"
 #include "Remesh.h"
 #include "Voronoi/DiagramPoints.h"
 

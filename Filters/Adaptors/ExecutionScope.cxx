@@ -3,6 +3,7 @@
 #include "vtkObject.h"
 #include "vtkSMP.h"
 #include "vtkSMPTools.h"
+#include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
 #include <new>
@@ -82,5 +83,11 @@ Status runFilter(vtkObject* filter, int backend, int threads, const std::functio
     status = { StatusCode::OutOfMemory, "There is not enough memory for this run." };
   }
   return status;
+}
+
+double machineMemory()
+{
+  vtksys::SystemInformation system;
+  return static_cast<double>(system.GetHostMemoryTotal()) * 1024.0;
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @file ExecutionScope.h
- * @brief The threads and back-end of one filter's execution.
+ * @brief The threads, back-end and memory of one filter's execution.
  */
 #ifndef remesh_ExecutionScope_h
 #define remesh_ExecutionScope_h
@@ -40,6 +40,9 @@ void runInScope(Execution& execution, const std::function<void()>& work);
  */
 Status runFilter(vtkObject* filter, int backend, int threads, const std::function<Status()>& work,
   Execution& execution);
+
+/** Bytes; 0: not known. */
+double machineMemory();
 }
 
 #endif

@@ -216,6 +216,14 @@ void removeGhosts(vtkPolyData* input, TriangleSoup& soup)
 }
 }
 
+SurfaceSource sourceOf(vtkPolyData* input)
+{
+  const bool isSingle = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
+  return { [input](TriangleSoup& soup, std::string& warning)
+    { return readTriangleSoup(input, soup, &warning); },
+    input->GetNumberOfPoints(), isSingle ? FLT_EPSILON : DBL_EPSILON };
+}
+
 Status checkForPolygons(vtkPolyData* input)
 {
   if (input == nullptr)

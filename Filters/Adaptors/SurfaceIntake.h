@@ -5,8 +5,7 @@
 #ifndef remesh_SurfaceIntake_h
 #define remesh_SurfaceIntake_h
 
-#include "Mesh/SurfaceMesh.h"
-#include "Support/Status.h"
+#include "Preparation/SurfacePreparation.h"
 
 #include <string>
 
@@ -31,6 +30,9 @@ namespace remesh
  * range. Cost: O(points + cells), polygons of more than four points apart.
  */
 Status readTriangleSoup(vtkPolyData* input, TriangleSoup& soup, std::string* warning = nullptr);
+
+/** The same as the core asks for it; the input must outlive it. */
+SurfaceSource sourceOf(vtkPolyData* input);
 
 /**
  * Whether there is anything to read, before arrays are looked for: an empty input has none.

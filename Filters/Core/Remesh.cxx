@@ -7,8 +7,9 @@
 #include "Placement/CurveFit.h"
 #include "Placement/StepLimit.h"
 #include "Placement/TriangleShape.h"
-#include "RemeshStart.h"
+#include "Repair/PlacedMesh.h"
 #include "Repair/SiteRepair.h"
+#include "Run/FirstSites.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <cmath>
@@ -183,18 +184,6 @@ Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResul
   control.enterPhase("Vertex placement", 0.6, 1.0);
   return place(task, control, result);
 }
-}
-
-RemeshResult::Seconds& RemeshResult::Seconds::operator+=(const Seconds& other)
-{
-  this->sampling += other.sampling;
-  this->lloyd += other.lloyd;
-  this->newton += other.newton;
-  this->repair += other.repair;
-  this->diagram += other.diagram;
-  this->placement += other.placement;
-  this->distance += other.distance;
-  return *this;
 }
 
 Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,

@@ -5,7 +5,7 @@
 #include "Optimization/Lloyd.h"
 #include "Optimization/QuasiNewton.h"
 #include "Optimization/Sampling.h"
-#include "RemeshStart.h"
+#include "Run/FirstSites.h"
 #include "vtkAnisotropicRemesher.h"
 
 #include <vtkNew.h>

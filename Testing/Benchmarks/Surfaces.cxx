@@ -1,6 +1,7 @@
 #include "Surfaces.h"
 
-#include "Adaptors/SurfacePreparation.h"
+#include "Adaptors/PointArrays.h"
+#include "Adaptors/SurfaceIntake.h"
 
 #include <vtkCellArray.h>
 #include <vtkLoopSubdivisionFilter.h>
@@ -22,10 +23,11 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-EmbeddedSurface prepared(vtkPolyData* surface, const PreparationRequest& request)
+EmbeddedSurface prepared(vtkPolyData* surface, PreparationRequest request)
 {
+  request.source = sourceOf(surface);
   PreparedSurface result;
-  if (Status status = prepareSurface(surface, request, RunControl(), result); !status.ok())
+  if (Status status = prepareSurface(request, RunControl(), result); !status.ok())
   {
     throw std::runtime_error(status.message);
   }
@@ -174,7 +176,7 @@ EmbeddedSurface embeddedIn(vtkPolyData* surface, int dimension)
   const auto more = smoothFunctions(surface, std::max(1, dimension - 3));
   if (dimension > 3)
   {
-    request.coordinates.emplace_back(more, 1.0);
+    request.coordinates.emplace_back(*lentArray(more), 1.0);
   }
   return prepared(surface, request);
 }

@@ -11,6 +11,7 @@
 #include "Mesh/FacetGeometry.h"
 #include "Mesh/Normals.h"
 #include "Remesh.h"
+#include "Repair/PlacedMesh.h"
 #include "TestSupport.h"
 
 #include <algorithm>

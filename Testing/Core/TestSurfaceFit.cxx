@@ -1,6 +1,6 @@
 // The fit against what it must not spoil: thin rims, shapes, and places that are the caller's.
 
-#include "MeshDistance.h"
+#include "Run/MeshDistance.h"
 #include "Placement/CellForms.h"
 #include "Placement/Regularity.h"
 #include "Support/Random.h"

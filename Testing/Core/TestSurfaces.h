@@ -72,6 +72,18 @@ inline TriangleSoup gridPatch(int nx, int ny, const Point3& origin = Point3::Zer
   return makeSoup(std::move(points), std::move(triangles));
 }
 
+/** A sheet in narrow waves along a direction, with or without ripples in all directions. */
+inline TriangleSoup wavyPatch(int n, double angle, double ripples)
+{
+  TriangleSoup soup = gridPatch(n, n);
+  for (Point3& p : soup.points)
+  {
+    const double along = std::cos(angle) * p[0] + std::sin(angle) * p[1];
+    p[2] = 0.01 * std::sin(40.0 * along) + ripples * std::sin(60.0 * p[1]) * std::sin(70.0 * p[0]);
+  }
+  return soup;
+}
+
 /** A quad grid closed in u (and in v if asked): point (i, j) is `place(i, j)`. */
 template <class Place>
 TriangleSoup wrappedGrid(int nu, int nv, bool closedInV, const Place& place)

@@ -60,16 +60,9 @@ inline vtkSmartPointer<vtkPolyData> bumpyPlate(int size, double height, double w
   return polyDataOf(soup);
 }
 
-/** A sheet in narrow waves along a direction, with or without ripples in all directions. */
 inline vtkSmartPointer<vtkPolyData> wavyPlate(int n, double angle, double ripples)
 {
-  TriangleSoup soup = gridPatch(n, n);
-  for (Point3& p : soup.points)
-  {
-    const double along = std::cos(angle) * p[0] + std::sin(angle) * p[1];
-    p[2] = 0.01 * std::sin(40.0 * along) + ripples * std::sin(60.0 * p[1]) * std::sin(70.0 * p[0]);
-  }
-  return polyDataOf(soup);
+  return polyDataOf(wavyPatch(n, angle, ripples));
 }
 
 /** Half-axes and centre of `ellipsoid()`: nothing is round, nothing is at the origin. */

@@ -1,6 +1,6 @@
 // What is degraded or does not fit is told once, and does no harm.
 
-#include "Adaptors/RunWarnings.h"
+#include "Pipeline/RunWarnings.h"
 #include "TestComparisons.h"
 #include "TestHelpers.h"
 
@@ -115,11 +115,11 @@ void testNumbersOfWrongTriangles()
 {
   const auto warningsWith = [](Offset flipped, Offset strays)
   {
-    NumberOutcome outcome;
+    RunOutcome outcome;
     outcome.result.dual.triangles.resize(1000); // of which few are wrong
     outcome.result.placement.edits.inverted = flipped;
     outcome.result.placement.strays = strays;
-    return warningsOf(outcome, RemeshOptions(), true);
+    return warningsOf(RunRequest(), outcome);
   };
   CHECK(beginWith(warningsWith(0, 0), {}));
   CHECK(beginWith(warningsWith(12, 0), { "12 triangles face the surface the wrong way" }));
@@ -225,7 +225,7 @@ void testGivenEmbeddings()
 /** Where features have most of the points, they are named. */
 void testFarForFeatures()
 {
-  NumberOutcome outcome;
+  RunOutcome outcome;
   RemeshResult& mesh = outcome.result;
   mesh.placement.positions = { Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(1, 1, 0) };
   mesh.dual.triangles = { { 0, 1, 2 }, { 1, 3, 2 } };
@@ -237,9 +237,9 @@ void testFarForFeatures()
   {
     mesh.distance->forward.rms = rms;
     mesh.distance->backward.rms = rms;
-    RemeshOptions options;
-    options.numberOfSites = 4;
-    return warningsOf(outcome, options, true);
+    RunRequest request;
+    request.options.numberOfSites = 4;
+    return warningsOf(request, outcome);
   };
   CHECK(beginWith(warningsAt(0.06 * std::sqrt(2.0)), {}));
   const auto warnings = warningsAt(0.08 * std::sqrt(2.0));

@@ -8,9 +8,9 @@
 #ifndef remesh_CavityRepair_h
 #define remesh_CavityRepair_h
 
-#include "Repair/MeshEdits.h"
 #include "Repair/RepairedMesh.h"
 #include "Repair/StarRepair.h"
+#include "Run/PlacedVertices.h"
 
 namespace remesh
 {

@@ -5,8 +5,8 @@
 #ifndef remesh_Facing_h
 #define remesh_Facing_h
 
-#include "RemeshTask.h"
 #include "Repair/MeshRepair.h"
+#include "Run/Task.h"
 
 #include <vector>
 

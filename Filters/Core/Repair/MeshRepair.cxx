@@ -6,6 +6,7 @@
 #include "Repair/StarRepair.h"
 #include "Repair/TurnedEdges.h"
 #include "Repair/Untangling.h"
+#include "Run/Verdict.h"
 
 #include <algorithm>
 #include <optional>
@@ -58,7 +59,12 @@ public:
     return status;
   }
 
-  Offset verdict() const { return m_edits.inverted; }
+  Verdict verdict() const
+  {
+    Verdict verdict;
+    verdict.inverted = m_edits.inverted;
+    return verdict;
+  }
   State state() const { return { m_triangles, m_positions, m_edits }; }
   void restore(const State& state)
   {
@@ -110,7 +116,7 @@ public:
 
   bool answers(const MeshCandidate& candidate) const override
   {
-    const Offset inverted = candidate.verdict();
+    const Offset inverted = candidate.verdict().inverted;
     return inverted > 0 &&
       (m_pass.steps == MeshSteps::Move || inverted <= maxInverted(candidate.numberOfTriangles()));
   }
@@ -148,7 +154,7 @@ private:
     {
       mendTriangle(context, triangle, mesh, edits);
     }
-    const bool together = m_pass.movesTogether && candidate.verdict() <= maxUntangled;
+    const bool together = m_pass.movesTogether && candidate.verdict().inverted <= maxUntangled;
     for (int rings = 1; rings <= maxRings && together && isInverted(); ++rings)
     {
       edits.movedVertices +=
@@ -158,7 +164,7 @@ private:
     {
       mendAround(context, triangle, m_pass.effort, mesh, edits);
     }
-    if (m_refills && candidate.verdict() <= maxUntangled && isInverted())
+    if (m_refills && candidate.verdict().inverted <= maxUntangled && isInverted())
     {
       refillAround(context, triangle, mesh, edits);
     }

@@ -7,7 +7,7 @@
 
 #include "Placement/PlacementProblem.h"
 #include "Repair/FlipSearch.h"
-#include "Repair/MeshEdits.h"
+#include "Run/PlacedVertices.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 

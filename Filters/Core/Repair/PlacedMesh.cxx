@@ -8,7 +8,7 @@
 #include "Repair/PartableCrossings.h"
 #include "Repair/RepairedMesh.h"
 #include "Repair/StarRepair.h"
-#include "Repair/Verdict.h"
+#include "Run/Verdict.h"
 
 #include <algorithm>
 #include <optional>

@@ -6,20 +6,12 @@
 #define remesh_PlacedMesh_h
 
 #include "Placement/Placement.h"
-#include "Repair/MeshEdits.h"
+#include "Run/PlacedVertices.h"
 
 #include <vector>
 
 namespace remesh
 {
-/** Where the vertices are, and what is wrong with the triangles then. */
-struct PlacedVertices
-{
-  std::vector<Point3> positions; ///< K, R^3, the unit of the points
-  MeshEdits edits;               ///< and the triangles that are inverted
-  Offset strays = 0;             ///< triangles that face a closer part of the surface the wrong way
-};
-
 /**
  * Turns inverted triangles back (MeshRepair.h), and then those that face other parts of the surface
  * the wrong way, where these are closer than their own, if they are few: keeps nothing that

@@ -7,9 +7,9 @@
 
 #include "Delaunay/TopologyRepair.h"
 #include "Mesh/EdgeTable.h"
-#include "RemeshTask.h"
 #include "Repair/Improve.h"
-#include "Repair/Verdict.h"
+#include "Run/Task.h"
+#include "Run/Verdict.h"
 
 #include <memory>
 #include <vector>

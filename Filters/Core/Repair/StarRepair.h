@@ -5,8 +5,8 @@
 #ifndef remesh_StarRepair_h
 #define remesh_StarRepair_h
 
-#include "Repair/MeshEdits.h"
 #include "Repair/RepairedMesh.h"
+#include "Run/PlacedVertices.h"
 #include "Support/RunControl.h"
 
 #include <vector>

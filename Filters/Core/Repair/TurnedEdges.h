@@ -5,8 +5,8 @@
 #ifndef remesh_TurnedEdges_h
 #define remesh_TurnedEdges_h
 
-#include "Repair/MeshEdits.h"
 #include "Repair/RepairedMesh.h"
+#include "Run/PlacedVertices.h"
 
 #include <vector>
 

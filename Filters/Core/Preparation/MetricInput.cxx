@@ -1,0 +1,235 @@
+#include "Preparation/MetricInput.h"
+
+#include "Mesh/Extent.h"
+#include "Mesh/FacetGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace remesh
+{
+namespace
+{
+constexpr double mostVariation = 2.0; // of sizes within a facet: above, it is too large for them
+constexpr double flatness = 1e-6;     // of the diagonal: what is a plane
+constexpr double asymmetry = 1e-6;    // of the largest entry: rounding of single precision
+
+std::string nameOf(const PointArray& array)
+{
+  return "The metric array \"" + array.name + "\"";
+}
+
+/** Where each entry of 9, row by row, is in a tuple; -1: it is 0, -2: it is 1. */
+using Places = std::array<int, 9>;
+
+Places placesOf(int components, TensorOrder order)
+{
+  if (components == 9)
+  {
+    return { 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+  }
+  if (components == 6)
+  {
+    switch (order)
+    {
+      case TensorOrder::Rows:
+        return { 0, 1, 2, 1, 3, 4, 2, 4, 5 };
+      case TensorOrder::Sol:
+        return { 0, 1, 3, 1, 2, 4, 3, 4, 5 };
+      default:
+        return { 0, 3, 5, 3, 1, 4, 5, 4, 2 };
+    }
+  }
+  return order == TensorOrder::Vtk ? Places{ 0, 2, -1, 2, 1, -1, -1, -1, -2 }
+                                   : Places{ 0, 1, -1, 1, 2, -1, -1, -1, -2 };
+}
+
+Eigen::Matrix3d tensorOf(const PointArray& array, const Places& places, Offset point)
+{
+  std::array<double, 9> values{};
+  array.read(point, values.data());
+  if (array.dimension == 1)
+  {
+    const double size = values[0];
+    return Eigen::Matrix3d::Identity() * (size > 0.0 ? 1.0 / (size * size) : -1.0);
+  }
+  Eigen::Matrix3d tensor;
+  for (int k = 0; k < 9; ++k)
+  {
+    const int place = places[k];
+    tensor(k / 3, k % 3) = place >= 0 ? values[place] : place == -2 ? 1.0 : 0.0;
+  }
+  return tensor;
+}
+
+/** Sums of the facets' normals, each turned to the side of the first one. */
+std::vector<Point3> pointNormals(const SurfaceMesh& mesh)
+{
+  std::vector<Point3> normals(mesh.points.size(), Point3::Zero());
+  for (const Triple& points : mesh.facetPoints)
+  {
+    const Point3& first = mesh.points[points[0]];
+    const Point3 normal = (mesh.points[points[1]] - first).cross(mesh.points[points[2]] - first);
+    for (const Index point : points)
+    {
+      normals[point] += normals[point].dot(normal) < 0.0 ? Point3(-normal) : normal;
+    }
+  }
+  for (Point3& normal : normals)
+  {
+    normal.stableNormalize();
+  }
+  return normals;
+}
+
+/** Whether the part of a tensor in the plane across a normal is positive definite. */
+bool isPositive(const Eigen::Matrix3d& tensor, const Point3& normal)
+{
+  const Point3 x = normal.unitOrthogonal();
+  const Point3 y = normal.cross(x);
+  const double xx = x.dot(tensor * x);
+  const double xy = x.dot(tensor * y);
+  const double yy = y.dot(tensor * y);
+  return xx > 0.0 && yy > 0.0 && xx * yy > xy * xy;
+}
+
+/** What is wrong with a tensor, or nothing. */
+std::string faultOf(const Eigen::Matrix3d& tensor, const Point3& normal)
+{
+  if (!tensor.allFinite())
+  {
+    return "is not finite";
+  }
+  if ((tensor - tensor.transpose()).cwiseAbs().maxCoeff() >
+    asymmetry * tensor.cwiseAbs().maxCoeff())
+  {
+    return "is not symmetric";
+  }
+  return isPositive(tensor, normal) ? "" : "is not positive definite along the surface";
+}
+
+Status checkArray(const SurfaceMesh& mesh, const PointArray& array, Offset numberOfInputPoints)
+{
+  const int components = array.dimension;
+  if (array.count != numberOfInputPoints)
+  {
+    return Status::invalid(nameOf(array) + " has " + std::to_string(array.count) + " tuples for " +
+      std::to_string(numberOfInputPoints) + " points.");
+  }
+  if (components != 1 && components != 3 && components != 6 && components != 9)
+  {
+    return Status::invalid(nameOf(array) + " has " + std::to_string(components) +
+      " components; a metric has 9, 6, 3 (in the plane) or 1 (a size).");
+  }
+  const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
+    [](const Point3& a, const Point3& b) { return a[2] < b[2]; });
+  if (components == 3 && (*high)[2] - (*low)[2] > flatness * boundingBoxDiagonal(mesh))
+  {
+    return Status::invalid(nameOf(array) +
+      " has 3 components, a metric of the plane, but the surface is not in a plane of equal z.");
+  }
+  return Status::success();
+}
+
+MetricFit fitOf(
+  const std::vector<TargetShape>& shapes, const std::vector<std::array<float, 2>>& stretches)
+{
+  constexpr double share = 0.05;
+  MetricFit fit;
+  double area = 0.0;
+  double within = 0.0;
+  std::vector<std::pair<float, double>> least;
+  std::vector<std::pair<float, double>> most;
+  for (std::size_t f = 0; f < shapes.size(); ++f)
+  {
+    area += shapes[f].area();
+    const bool isNear = shapes[f].variation <= mostVariation && stretches[f][0] >= std::sqrt(0.5) &&
+      stretches[f][1] <= std::sqrt(2.0);
+    within += isNear ? shapes[f].area() : 0.0;
+    least.emplace_back(stretches[f][0], shapes[f].area());
+    most.emplace_back(-stretches[f][1], shapes[f].area());
+  }
+  const auto quantile = [&](std::vector<std::pair<float, double>>& values)
+  {
+    std::sort(values.begin(), values.end());
+    double sum = 0.0;
+    for (const auto& [value, weight] : values)
+    {
+      sum += weight;
+      if (sum >= share * area)
+      {
+        return std::abs(static_cast<double>(value));
+      }
+    }
+    return 1.0;
+  };
+  fit.low = quantile(least);
+  fit.high = quantile(most);
+  fit.within = area > 0.0 ? within / area : 1.0;
+  return fit;
+}
+}
+
+Status readMetric(const SurfaceMesh& mesh, const PointArray& array, TensorOrder order,
+  Offset numberOfInputPoints, MetricField& metric)
+{
+  if (Status status = checkArray(mesh, array, numberOfInputPoints); !status.ok())
+  {
+    return status;
+  }
+  const Places places = placesOf(array.dimension, order);
+  metric.normals = pointNormals(mesh);
+  metric.tensors.resize(mesh.points.size());
+  Offset first = numberOfInputPoints;
+  std::string fault;
+  for (Index facet = 0; facet < mesh.numberOfFacets(); ++facet)
+  {
+    const auto inputs = mesh.facetInputPoints[facet];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index point = mesh.facetPoints[facet][k];
+      metric.tensors[point] = tensorOf(array, places, inputs[k]);
+      const std::string wrong =
+        inputs[k] < first ? faultOf(metric.tensors[point], metric.normals[point]) : "";
+      if (!wrong.empty())
+      {
+        first = inputs[k];
+        fault = wrong;
+      }
+    }
+  }
+  return fault.empty()
+    ? Status::success()
+    : Status::invalid(nameOf(array) + " " + fault + " at point " + std::to_string(first) + ".");
+}
+
+Status makeMetricCoordinates(const SurfaceMesh& mesh, const MetricField& metric, int dimension,
+  const RunControl& control, CornerCoordinates& coordinates, MetricFit& fit)
+{
+  std::vector<TargetShape> shapes;
+  IsometryOptions options;
+  options.dimension = dimension;
+  IsometricEmbedding embedding;
+  Status status = findTargetShapes(mesh, metric, control.silent(), shapes);
+  if (status.ok())
+  {
+    status = embedIsometrically(mesh, shapes, options, control, embedding);
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
+  fit = fitOf(shapes, embedding.stretches);
+  coordinates = CornerCoordinates();
+  coordinates.dimension = dimension;
+  coordinates.values.resize(static_cast<std::size_t>(mesh.numberOfCorners()) * dimension);
+  for (Index corner = 0; corner < mesh.numberOfCorners(); ++corner)
+  {
+    const double* row = embedding.places.row(mesh.cornerPoints[corner]).data();
+    std::copy_n(row, dimension, coordinates.values.begin() + Offset(corner) * dimension);
+  }
+  return Status::success();
+}
+}

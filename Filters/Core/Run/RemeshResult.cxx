@@ -1,0 +1,31 @@
+#include "Run/RemeshResult.h"
+
+namespace remesh
+{
+RemeshResult::Seconds& RemeshResult::Seconds::operator+=(const Seconds& other)
+{
+  this->sampling += other.sampling;
+  this->lloyd += other.lloyd;
+  this->newton += other.newton;
+  this->repair += other.repair;
+  this->diagram += other.diagram;
+  this->placement += other.placement;
+  this->distance += other.distance;
+  return *this;
+}
+
+Verdict verdictOf(const RemeshResult& result, const RemeshOptions& options)
+{
+  const Offset extra = result.extraVertices();
+  const bool areTooMany = result.hasTooManyVertices(options);
+  Verdict verdict;
+  verdict.pointsOff = extra < 0 ? -extra : areTooMany ? extra : 0;
+  verdict.isUnproven = !result.topology.preserved();
+  verdict.pointsForced = std::max(extra, Offset(0));
+  verdict.faults = result.topology.certificate.violations();
+  verdict.inverted = result.placement.edits.inverted;
+  verdict.strays = result.placement.strays;
+  verdict.refilled = result.placement.edits.refilled;
+  return verdict;
+}
+}
