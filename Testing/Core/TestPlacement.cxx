@@ -198,7 +198,7 @@ void testControl()
     return test::placeVertices(
       problem, VertexPlacement::Fit, control, locations, triangles, placement);
   };
-  Placement expected;
+  PlacedVertices expected;
   CHECK(run(RunControl(), expected).ok());
   for (const Schedule schedule : { Schedule::ShuffledBlocks, Schedule::EightThreads })
   {

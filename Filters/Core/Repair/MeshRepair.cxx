@@ -18,17 +18,7 @@ namespace
 {
 constexpr int maxRings = 3;           // around a triangle that vertices move together in
 constexpr Offset maxUntangled = 2000; // with more inverted triangles, points are too few
-constexpr Offset fewInverted = 10;    // as many are worth a row's last efforts
 constexpr double smallGain = 0.02;    // at least, of a step that need not turn a triangle back
-
-/**
- * With more inverted triangles than this, of so many, the surface has no sides to tell, or far too
- * few points: steps that take long are left out, as they would help nothing.
- */
-Offset maxInverted(Offset triangles)
-{
-  return std::max<Offset>(100, triangles / 20);
-}
 
 /** The mesh and the triangles that are inverted. */
 class MeshCandidate

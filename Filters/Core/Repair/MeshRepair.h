@@ -11,10 +11,20 @@
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace remesh
 {
+/**
+ * With more inverted triangles than this, of so many, the surface has no sides to tell, or far too
+ * few points: steps that take long are left out, as they would help nothing.
+ */
+inline Offset maxInverted(Offset triangles)
+{
+  return std::max<Offset>(100, triangles / 20);
+}
+
 /** What may change. */
 enum class MeshSteps
 {

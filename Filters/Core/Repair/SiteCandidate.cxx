@@ -303,8 +303,9 @@ bool SiteCandidate::reviseBeyond(Refinement refinement)
   // More than wanted, as components and patches take some each, none of which can be taken away.
   const Offset surplus = std::max(Offset(0), m_result.components.count() - wanted);
   const Offset extra = std::min(count + surplus, m_task.options.maximumExtraPoints - m_extraPoints);
-  m_extraPoints += extra;
-  return this->revise(std::move(refinement), this->certificate(), wanted + extra);
+  const bool revised = this->revise(std::move(refinement), this->certificate(), wanted + extra);
+  m_extraPoints += revised ? extra : 0;
+  return revised;
 }
 
 bool SiteCandidate::refineCurves(

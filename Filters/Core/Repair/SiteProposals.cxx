@@ -85,11 +85,17 @@ public:
       (!candidate.isHopeless(faults) || extra > faults);
   }
 
-  /** A handle far smaller than the cells takes many sites before it is seen: they close in on it.
+  /**
+   * A handle far smaller than the cells takes many sites before it is seen: they close in on it.
+   * Beyond the number the faults are to become fewer against the cells: where nothing helps, what
+   * fails shrinks for ever.
    */
   bool nears(const SiteCandidate& candidate) override
   {
-    const double size = candidate.faultSize();
+    const double size = m_how == Refining::BeyondNumber
+      ? static_cast<double>(candidate.verdict().faults) /
+        static_cast<double>(candidate.result().components.count())
+      : candidate.faultSize();
     const bool isNearer = size < shrinking * m_leastSize && size > smallestSize;
     m_leastSize = isNearer ? size : m_leastSize;
     return isNearer;
