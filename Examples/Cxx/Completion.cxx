@@ -63,12 +63,15 @@ std::string Bash(const OptionTable& table)
     if (TakesValue(option) && !TakesFile(option))
     {
       cases += "    " + names.front() + (names.size() > 1 ? " | " + names[1] : "") +
-        ") COMPREPLY=($(compgen -W '" + Joined(table.GetChoices(option)) +
+        ") compopt +o default; COMPREPLY=($(compgen -W '" + Joined(table.GetChoices(option)) +
         "' -- \"$current\")); return ;;\n";
     }
   }
   return "_remesh_surface()\n{\n"
          "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}\n"
+         "  # Of --option=value, bash makes three words.\n"
+         "  if [ \"$current\" = = ]; then current=; fi\n"
+         "  if [ \"$previous\" = = ]; then previous=${COMP_WORDS[COMP_CWORD - 2]}; fi\n"
          "  COMPREPLY=()\n"
          "  case $previous in\n" +
     cases +
@@ -77,10 +80,10 @@ std::string Bash(const OptionTable& table)
     "    -*) COMPREPLY=($(compgen -W '" +
     all +
     "' -- \"$current\")) ;;\n"
-    "    *) compopt -o filenames 2>/dev/null; COMPREPLY=($(compgen -f -- \"$current\")) ;;\n"
     "  esac\n"
     "}\n"
-    "complete -F _remesh_surface remesh_surface\n";
+    "# Without an answer: files, which bash itself completes, with blanks and quotes.\n"
+    "complete -o default -F _remesh_surface remesh_surface\n";
 }
 
 std::string Zsh(const OptionTable& table)

@@ -198,30 +198,29 @@ def with_array(data: Any, values: Any, name: str, argument: str, of_cells: bool 
 
 
 # --- Files ----------------------------------------------------------------------------------------
-def _polydata_classes(extension: str) -> Tuple[str, Optional[str], Optional[str]]:
-    """The VTK module, reader and writer for an extension."""
-    known = {
-        ".ply": ("vtkIOPLY", "vtkPLYReader", "vtkPLYWriter"),
-        ".stl": ("vtkIOGeometry", "vtkSTLReader", "vtkSTLWriter"),
-        ".obj": ("vtkIOGeometry", "vtkOBJReader", "vtkOBJWriter"),
-        ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader", "vtkXMLPolyDataWriter"),
-        ".vtu": ("vtkIOXML", "vtkXMLUnstructuredGridReader", None),
-        ".vtm": ("vtkIOXML", "vtkXMLMultiBlockDataReader", "vtkXMLMultiBlockDataWriter"),
-        ".vtk": ("vtkIOLegacy", "vtkPolyDataReader", "vtkPolyDataWriter"),
-    }
-    return known.get(extension, ("", None, None))
+# Of each ending: the VTK module, its reader and its writer.
+_FORMATS: Dict[str, Tuple[str, str, Optional[str]]] = {
+    ".ply": ("vtkIOPLY", "vtkPLYReader", "vtkPLYWriter"),
+    ".stl": ("vtkIOGeometry", "vtkSTLReader", "vtkSTLWriter"),
+    ".obj": ("vtkIOGeometry", "vtkOBJReader", "vtkOBJWriter"),
+    ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader", "vtkXMLPolyDataWriter"),
+    ".vtu": ("vtkIOXML", "vtkXMLUnstructuredGridReader", None),
+    ".vtm": ("vtkIOXML", "vtkXMLMultiBlockDataReader", "vtkXMLMultiBlockDataWriter"),
+    ".vtk": ("vtkIOLegacy", "vtkPolyDataReader", "vtkPolyDataWriter"),
+}
 
 
 def _make(path: str, what: int, verb: str) -> Any:
     """A reader (1) or writer (2) for files of the kind that a name tells."""
-    extension = os.path.splitext(path)[1].lower()
-    classes = _polydata_classes(extension)
-    if classes[what] is None:
+    names = _FORMATS.get(os.path.splitext(path)[1].lower())
+    if names is None or names[what] is None:
+        endings = [ending for ending, found in _FORMATS.items() if found[what]]
         raise ValueError(
-            f"'{path}' cannot be {verb}: its name must end in .ply, .stl, .obj, .vtp or .vtk."
+            f"'{path}' cannot be {verb}: its name must end in "
+            f"{', '.join(endings[:-1])} or {endings[-1]}."
         )
-    module = importlib.import_module("vtkmodules." + classes[0])
-    return getattr(module, str(classes[what]))()
+    module = importlib.import_module("vtkmodules." + names[0])
+    return getattr(module, str(names[what]))()
 
 
 def read(path: Any) -> Any:

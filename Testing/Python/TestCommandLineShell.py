@@ -1,4 +1,4 @@
-"""Tests of remesh_surface at home in a shell: several files, pipes, terminals, completion.
+"""Tests of remesh_surface at home in a shell: several files, pipes, terminals.
 
     TestCommandLineShell.py --program build/bin/remesh_surface --work FOLDER [unittest options]
 """
@@ -272,65 +272,6 @@ class TestTerminal(CommandLineTest):
         self.assertEqual((process.returncode, error),
                          (-signal.SIGINT, b"remesh_surface: interrupted\n"))
         self.assertEqual(os.listdir(self.folder), ["b.vtp"])
-
-
-class TestCompletion(CommandLineTest):
-    def setUp(self):
-        super().setUp()
-        text = self.run_program("--help").stdout
-        self.options = re.findall(r"^  (?:    |-(\w), )--([a-z-]+)(?: (\S+))?", text, re.MULTILINE)
-
-    def script(self, shell):
-        result = self.run_program("--completion", shell)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        with open(self.path(shell), "w", encoding="utf-8") as file:
-            file.write(result.stdout)
-        return result.stdout
-
-    def complete(self, *words):
-        """What bash would offer for the last word."""
-        line = " ".join(f"'{word}'" for word in ("remesh_surface",) + words)
-        result = subprocess.run(
-            ["bash", "-c", f"source ./bash; COMP_WORDS=({line}); COMP_CWORD={len(words)}; "
-             "_remesh_surface; printf '%s\\n' \"${COMPREPLY[@]}\""], cwd=self.folder,
-            capture_output=True, encoding="utf-8", check=True)
-        self.assertEqual(result.stderr, "")
-        return sorted(result.stdout.split())
-
-    def test_bash(self):
-        self.script("bash")
-        expected = [f"--{name}" for _, name, _ in self.options]
-        expected += [f"-{letter}" for letter, _, _ in self.options if letter]
-        self.assertEqual(self.complete("x.ply", "-"), sorted(expected))
-        self.assertEqual(self.complete("--po"), ["--points"])
-        self.assertEqual(self.complete("--backend", ""),
-                         ["automatic", "sequential", "stdthread", "tbb"])
-        self.assertEqual(self.complete("--placement", "c"), ["centroid"])
-        self.assertEqual(self.complete("--points", ""), [])
-        self.save_here("scan.ply")
-        self.assertEqual(self.complete("sc"), ["scan.ply"])
-        self.assertEqual(self.complete("--cells", "sc"), ["scan.ply"])
-
-    def save_here(self, name):
-        with open(self.path(name), "wb"):
-            pass
-
-    def test_zsh(self):
-        text = self.script("zsh")
-        self.assertTrue(text.startswith("#compdef remesh_surface\n"))
-        found = set(re.findall(r"^  '(?:\([^)]*\)|\*)(--?[a-z-]+|-[a-zA-Z])[+=]?\[", text,
-                               re.MULTILINE))
-        expected = {f"--{name}" for _, name, _ in self.options}
-        expected |= {f"-{letter}" for letter, _, _ in self.options if letter}
-        self.assertEqual(found, expected)
-        # Single quotes pair up in every shell.
-        subprocess.run([shutil.which("zsh") or "bash", "-n", "./zsh"], cwd=self.folder, check=True)
-
-    def test_fish(self):
-        found = re.findall(r"^complete -c remesh_surface -l ([a-z-]+)(?: -s (\w))?( -[rx])?",
-                           self.script("fish"), re.MULTILINE)
-        self.assertEqual([(letter, name, value != "") for name, letter, value in found],
-                         [(letter, name, value != "") for letter, name, value in self.options])
 
 
 if __name__ == "__main__":

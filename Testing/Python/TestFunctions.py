@@ -121,8 +121,13 @@ class TestInputs(unittest.TestCase):
                 self.assertLess(abs(again.summary["mean_quality"]
                                     - ar.compare(self.expected).summary["mean_quality"]), 1e-4)
             self.assertEqual(len(os.listdir(folder)), 6)
-            with self.assertRaisesRegex(ValueError, "mesh.xyz' cannot be written.*must end in"):
-                self.expected.save(os.path.join(folder, "mesh.xyz"))
+            with self.assertRaisesRegex(ValueError, "vtu' cannot be written.*must end in .ply, "
+                                                    ".stl, .obj, .vtp, .vtm or .vtk.$"):
+                self.expected.save(os.path.join(folder, "mesh.vtu"))
+            with open(os.path.join(folder, "mesh.xyz"), "w", encoding="ascii"):
+                pass
+            with self.assertRaisesRegex(ValueError, "xyz' cannot be read.* .vtu, .vtm or .vtk.$"):
+                ar.remesh(os.path.join(folder, "mesh.xyz"))
             with self.assertRaisesRegex(FileNotFoundError, "none/mesh.ply'$"):
                 self.expected.save(os.path.join(folder, "none", "mesh.ply"))
             with self.assertRaises(FileNotFoundError):
