@@ -179,7 +179,7 @@ void testThinBand()
   const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, fixed };
   const NearbySurface near(problem);
-  for (std::size_t v = 7; v < result.placement.positions.size(); v += 40)
+  for (std::size_t v = 7; v < result.placement.positions.size(); v += 30)
   {
     Point3& place = result.placement.positions[v];
     if (std::abs(place[2]) > 0.12)
