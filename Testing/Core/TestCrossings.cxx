@@ -161,7 +161,8 @@ void testMending(const PlacementProblem& problem, const RemeshResult& result)
   std::vector<Triple> triangles = result.dual.triangles;
   PlacedVertices placement = result.placement;
   CHECK(
-    repairPlacedMesh(problem, VertexPlacement::Fit, RunControl(), locations, triangles, placement).ok());
+    repairPlacedMesh(problem, VertexPlacement::Fit, RunControl(), locations, triangles, placement)
+      .ok());
   CHECK(crossingsOf(triangles, placement.positions).empty());
 }
 
@@ -179,7 +180,7 @@ void testThinBand()
   const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, fixed };
   const NearbySurface near(problem);
-  for (std::size_t v = 7; v < result.placement.positions.size(); v += 30)
+  for (std::size_t v = 7; v < result.placement.positions.size(); v += 20)
   {
     Point3& place = result.placement.positions[v];
     if (std::abs(place[2]) > 0.12)

@@ -49,8 +49,9 @@ inline Status placeVertices(const PlacementProblem& problem, VertexPlacement way
 {
   const Status status =
     choosePlaces(problem, way, control.step(0, 2), locations, placement.positions);
-  return status.ok() ? repairPlacedMesh(problem, way, control.step(1, 2), locations, triangles, placement)
-                     : status;
+  return status.ok()
+    ? repairPlacedMesh(problem, way, control.step(1, 2), locations, triangles, placement)
+    : status;
 }
 
 /** The same mesh with its vertices placed another way. */
