@@ -1,9 +1,9 @@
 // Flipped triangles whose corners cannot move, and that no edge turns back alone.
-#include "Repair/CavityRepair.h"
-#include "Repair/MeshRepair.h"
-#include "Repair/FlipSearch.h"
 #include "Placement/TriangleShape.h"
 #include "Placement/WholeSurface.h"
+#include "Repair/CavityRepair.h"
+#include "Repair/InvertedSearch.h"
+#include "Repair/MeshRepair.h"
 #include "Support/Random.h"
 #include "TestPlacements.h"
 
@@ -35,7 +35,7 @@ struct Fixture
     const std::vector<Triple>& triangles, const std::vector<Point3>& positions) const
   {
     std::vector<Index> found;
-    CHECK(FlipSearch(near).find(triangles, positions, RunControl(), found).ok());
+    CHECK(InvertedSearch(near).find(triangles, positions, RunControl(), found).ok());
     return found;
   }
 };
@@ -86,7 +86,7 @@ Offset refillAll(
     any = false;
     for (const Index t : fixture.flipped(triangles, positions))
     {
-      any = (mesh.isFlipped(triangles[t]) && refillAround(context, t, mesh, repair)) || any;
+      any = (mesh.isInverted(triangles[t]) && refillAround(context, t, mesh, repair)) || any;
     }
   }
   CHECK(places == positions);
@@ -164,7 +164,7 @@ void testPolygons()
 
     triangles = fan(corners);
     const std::vector<Point3> before = positions;
-    FlipSearch search(fixture.near);
+    InvertedSearch search(fixture.near);
     MeshEdits repair;
     CHECK(repairMesh({ fixture.problem, fixture.near, before, before, RunControl() },
       MeshSteps::Refill, search, triangles, positions, repair)
@@ -244,7 +244,7 @@ void testStrays()
     RepairedMesh mesh(fixture.problem, near, positions, triangles, positions);
     const RepairContext context{ fixture.problem, positions, RunControl(), true, strayCost };
     MeshEdits repair;
-    CHECK(mesh.isFlipped(triangles[t]) && mesh.cost(triangles[t]) < flippedCost);
+    CHECK(mesh.isInverted(triangles[t]) && mesh.cost(triangles[t]) < invertedCost);
     fixture.fixed[triangles[t][1]] = 0;
     CHECK(!refillAround(context, t, mesh, repair));
     CHECK(triangles == fixture.result.dual.triangles);

@@ -1,6 +1,6 @@
 // Triangles that go through each other: found as by definition, and parted where sheets are thin.
 #include "Repair/CrossingRepair.h"
-#include "Repair/FlipSearch.h"
+#include "Repair/InvertedSearch.h"
 #include "Repair/PartableCrossings.h"
 #include "Support/Random.h"
 #include "TestPlacements.h"
@@ -196,7 +196,7 @@ void testThinBand()
   testMending(problem, result);
   const double far = test::rmsDistance(mesh, result, 50);
   std::vector<Index> flipped;
-  CHECK(FlipSearch(near).find(result.dual.triangles, pushed, RunControl(), flipped).ok());
+  CHECK(InvertedSearch(near).find(result.dual.triangles, pushed, RunControl(), flipped).ok());
   CHECK(flipped.empty());
   const RunControl control;
   std::vector<Triple> triangles = result.dual.triangles;
@@ -208,7 +208,7 @@ void testThinBand()
     repaired, repair);
   CHECK(repair.movedVertices > 0);
   CHECK(crossingsOf(triangles, positions).empty());
-  CHECK(FlipSearch(near).find(triangles, positions, control, flipped).ok());
+  CHECK(InvertedSearch(near).find(triangles, positions, control, flipped).ok());
   CHECK(flipped.empty());
   CHECK(positions[0] == pushed[0]);
   result.dual.triangles = triangles;

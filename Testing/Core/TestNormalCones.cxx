@@ -1,7 +1,7 @@
 // Cones around the normals of cells: never wrong about a facet, and wide enough to be of use.
 
-#include "Repair/FlipSearch.h"
 #include "Placement/TriangleShape.h"
+#include "Repair/InvertedSearch.h"
 #include "TestLanes.h"
 #include "TestPlacements.h"
 #include "TestSurfaces.h"
@@ -82,12 +82,12 @@ void checkSearch(const PlacementProblem& problem)
       for (std::size_t t = 0; t < problem.triangles.size(); ++t)
       {
         const Triple& triangle = problem.triangles[t];
-        if (surface.isFlipped(triangle, cornersOf(triangle, positions)))
+        if (surface.isInverted(triangle, cornersOf(triangle, positions)))
         {
           expected.push_back(static_cast<Index>(t));
         }
       }
-      CHECK(FlipSearch(surface).find(problem.triangles, positions, RunControl(), found).ok());
+      CHECK(InvertedSearch(surface).find(problem.triangles, positions, RunControl(), found).ok());
       CHECK(found == expected);
       CHECK(noise < 0.3 || !found.empty());
     }

@@ -115,7 +115,7 @@ void testFlips()
       {
         const RemeshResult result = test::placedAnew(meshes[m], anisotropy, centroids, way);
         CHECK_EQUAL(result.placement.edits.inverted, 0);
-        CHECK_EQUAL(test::countFlipped(meshes[m], result), 0);
+        CHECK_EQUAL(test::countInverted(meshes[m], result), 0);
       }
     }
   }

@@ -102,7 +102,7 @@ inline double rmsDistance(const SurfaceMesh& mesh, const RemeshResult& result, i
  * Triangles whose normal makes more than 90 degrees with that of the facet closest to their
  * centroid, among all facets. By definition.
  */
-inline Offset countFlipped(const SurfaceMesh& mesh, const RemeshResult& result)
+inline Offset countInverted(const SurfaceMesh& mesh, const RemeshResult& result)
 {
   Offset flipped = 0;
   for (const auto& [i, j, k] : result.dual.triangles)

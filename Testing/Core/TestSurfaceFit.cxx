@@ -1,8 +1,8 @@
 // The fit against what it must not spoil: thin rims, shapes, and places that are the caller's.
 
-#include "Run/MeshDistance.h"
 #include "Placement/CellForms.h"
 #include "Placement/Regularity.h"
+#include "Run/MeshDistance.h"
 #include "Support/Random.h"
 #include "TestLanes.h"
 #include "TestPlacements.h"

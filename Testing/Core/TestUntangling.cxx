@@ -1,6 +1,6 @@
 // Flipped triangles: vertices that have changed places, and triangles without a height.
-#include "Repair/MeshRepair.h"
 #include "Placement/TriangleShape.h"
+#include "Repair/MeshRepair.h"
 #include "Repair/Untangling.h"
 #include "Support/Random.h"
 #include "TestPlacements.h"
@@ -50,7 +50,7 @@ struct Fixture
   std::vector<Index> flipped(const std::vector<Point3>& positions) const
   {
     std::vector<Index> found;
-    CHECK(FlipSearch(near).find(result.dual.triangles, positions, RunControl(), found).ok());
+    CHECK(InvertedSearch(near).find(result.dual.triangles, positions, RunControl(), found).ok());
     return found;
   }
 };
@@ -112,7 +112,7 @@ void testTurnedBack()
         positions[v][k] += 1.6 * spacing * (uniform01(seed, v, k + 1) - 0.5);
       }
     }
-    FlipSearch search(fixture.near);
+    InvertedSearch search(fixture.near);
     MeshEdits repair;
     CHECK(repairMesh({ fixture.problem, fixture.near, sound, sound, RunControl() },
       MeshSteps::MoveAndFlip, search, triangles, positions, repair)
@@ -120,7 +120,7 @@ void testTurnedBack()
     std::vector<Index> left;
     CHECK(search.find(triangles, positions, RunControl(), left).ok()); // judges what has changed
     std::vector<Index> all;
-    CHECK(FlipSearch(fixture.near).find(triangles, positions, RunControl(), all).ok());
+    CHECK(InvertedSearch(fixture.near).find(triangles, positions, RunControl(), all).ok());
     CHECK(left == all);
     CHECK_EQUAL(static_cast<Offset>(all.size()), repair.inverted);
     RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
@@ -134,10 +134,10 @@ void testTurnedBack()
           continue;
         }
         ++turned;
-        RepairedMesh::Turn turn;
-        CHECK(!(mesh.canTurn(static_cast<Index>(t), k, turn) &&
+        RepairedMesh::EdgeFlip turn;
+        CHECK(!(mesh.canFlip(static_cast<Index>(t), k, turn) &&
           edges.count(std::minmax(turn.fresh[0][0], turn.fresh[0][2])) > 0 &&
-          !mesh.isFlipped(turn.fresh[0]) && !mesh.isFlipped(turn.fresh[1])));
+          !mesh.isInverted(turn.fresh[0]) && !mesh.isInverted(turn.fresh[1])));
       }
     }
   }
@@ -165,7 +165,7 @@ void testUndone()
     const std::vector<Point3> before = positions;
     const auto flipped = static_cast<Offset>(fixture.flipped(positions).size());
     CHECK(flipped > 0);
-    FlipSearch search(fixture.near);
+    InvertedSearch search(fixture.near);
     MeshEdits repair;
     CHECK(repairMesh({ fixture.problem, fixture.near, sound, sound, RunControl() },
       MeshSteps::MoveAndFlip, search, triangles, positions, repair)
@@ -197,7 +197,7 @@ void testTooMany()
   const auto count = static_cast<Offset>(triangles.size());
   CHECK(static_cast<Offset>(fixture.flipped(positions).size()) > maxInverted(count));
   const std::vector<Point3> before = positions;
-  FlipSearch search(fixture.near);
+  InvertedSearch search(fixture.near);
   MeshEdits repair;
   CHECK(repairMesh({ fixture.problem, fixture.near, before, before, RunControl() },
     MeshSteps::MoveAndFlip, search, triangles, positions, repair)
@@ -235,13 +235,13 @@ void testFlat()
   const Triple& triangle = fixture.result.dual.triangles.front();
   Corners corners = cornersOf(triangle, fixture.result.placement.positions);
   const NearbySurface strict(fixture.problem, leastHeight(fixture.mesh));
-  CHECK(!strict.isFlipped(triangle, corners));
+  CHECK(!strict.isInverted(triangle, corners));
   const Point3 height = corners[2] - 0.5 * (corners[0] + corners[1]);
   for (const double share : { 1e-3, 1e-8 })
   {
     corners[2] = 0.5 * (corners[0] + corners[1]) + share * height;
-    CHECK(!fixture.near.isFlipped(triangle, corners));
-    CHECK_EQUAL(strict.isFlipped(triangle, corners), share < 1e-6);
+    CHECK(!fixture.near.isInverted(triangle, corners));
+    CHECK_EQUAL(strict.isInverted(triangle, corners), share < 1e-6);
   }
 }
 }

@@ -143,13 +143,13 @@ Triple inOrder(Triple triangle)
 }
 }
 
-std::vector<Intrusion> coarseSections(const std::vector<Triple>& flipped,
+std::vector<Intrusion> coarseSections(const std::vector<Triple>& inverted,
   const Components& components, const Seams& seams, const FeaturedSurface& featured,
   const FeatureSites& featureSites, const RunControl& control)
 {
   std::vector<Index> corners;
   std::set<Triple> triangles;
-  for (const Triple& triangle : flipped)
+  for (const Triple& triangle : inverted)
   {
     triangles.insert(inOrder(triangle));
     for (const Index component : triangle)

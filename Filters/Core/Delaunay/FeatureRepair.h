@@ -31,14 +31,14 @@ Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>
   FeatureSites& featureSites, std::vector<Index>& joining);
 
 /**
- * Where flipped triangles show that a curve is too coarse: it passes a corner of theirs
+ * Where inverted triangles show that a curve is too coarse: it passes a corner of theirs
  * (PassedPoints.h), or one joins a section of it with a cell, of another site on a feature, that
  * reaches it.
  *
  * @return such cells; for a corner that is passed, its own, with its foot in R^3 and no distance.
  * Of no use when cancelled.
  */
-std::vector<Intrusion> coarseSections(const std::vector<Triple>& flipped,
+std::vector<Intrusion> coarseSections(const std::vector<Triple>& inverted,
   const Components& components, const Seams& seams, const FeaturedSurface& featured,
   const FeatureSites& featureSites, const RunControl& control = RunControl());
 

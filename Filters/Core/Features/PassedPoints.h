@@ -3,7 +3,7 @@
  * @brief Finds points on features that the chords of curves pass on their wrong side.
  *
  * A chord of a curve that bends towards another feature may reach beyond the other one's points.
- * Then triangles of these points and the chord are flipped, wherever else there are points.
+ * Then triangles of these points and the chord are inverted, wherever else there are points.
  */
 #ifndef remesh_PassedPoints_h
 #define remesh_PassedPoints_h

@@ -18,8 +18,8 @@ namespace remesh
  * - none is farther from the surface than the surface was from the mesh anywhere at the start, or
  *   than it was itself;
  * - a sixth of its squared distance, which is the mean over the triangles around it of what it
- *   alone moves them, is no more than the mean square of their distances at the start, in addition to
- * its own then. Less than the whole mesh's root mean square is never too far.
+ *   alone moves them, is no more than the mean square of their distances at the start, in addition
+ * to its own then. Less than the whole mesh's root mean square is never too far.
  *
  * (measured: without the second, 0.3 % of the vertices of a coarse scan are more than that; with a
  * third instead of a sixth, 7 %, and the fit is 1 % farther from the surface.)

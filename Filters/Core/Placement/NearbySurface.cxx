@@ -130,7 +130,7 @@ Facing NearbySurface::facingOf(const Triple& components, const std::array<Point3
   return { cosine, std::min(cosine, m_whole->leastCosine(centroid, normal, own.facet, within)) };
 }
 
-bool NearbySurface::isFlipped(
+bool NearbySurface::isInverted(
   const Triple& components, const std::array<Point3, 3>& corners, const NormalCones& cones) const
 {
   const Point3 normal = facetNormal(corners[0], corners[1], corners[2]);
@@ -138,6 +138,6 @@ bool NearbySurface::isFlipped(
     std::all_of(components.begin(), components.end(),
       [&](Index component) { return cones.allAlong(component, normal); }) &&
     !this->isFlat(corners);
-  return !facesAll && this->isFlipped(components, corners);
+  return !facesAll && this->isInverted(components, corners);
 }
 }

@@ -39,7 +39,7 @@ public:
   /**
    * @param leastHeight unit of the points; triangles less high, and far less than long, have no
    *        normal.
-   * @param whole given, a triangle is flipped, too, where it faces against a facet of another part
+   * @param whole given, a triangle is inverted, too, where it faces against a facet of another part
    *        of the surface that is closer to its centroid: of another sheet, or beyond a fold. Of
    *        those that are as close, only if the closest point is on an edge of its own facet.
    */
@@ -59,12 +59,12 @@ public:
   Point3 normalNear(const Triple& components, const std::array<Point3, 3>& corners) const;
 
   Facing facingOf(const Triple& components, const std::array<Point3, 3>& corners) const;
-  bool isFlipped(const Triple& components, const std::array<Point3, 3>& corners) const
+  bool isInverted(const Triple& components, const std::array<Point3, 3>& corners) const
   {
     return this->facingOf(components, corners).least < 0.0;
   }
   /** The same, without a look for the closest facet where all that may be it face along. */
-  bool isFlipped(
+  bool isInverted(
     const Triple& components, const std::array<Point3, 3>& corners, const NormalCones& cones) const;
   const PlacementProblem& problem() const { return m_problem; }
 

@@ -38,7 +38,7 @@ Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surfac
   std::vector<SurfaceLocation>& locations);
 
 /**
- * Places the vertices; triangles may be flipped then (`repairPlacedMesh`).
+ * Places the vertices; triangles may be inverted then (`repairPlacedMesh`).
  *
  * @param locations K, the points of the surface closest to the centroids.
  * @param positions if there are K, where the fixed vertices are (to the bit); else they are at

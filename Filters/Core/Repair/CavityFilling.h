@@ -28,7 +28,7 @@ struct Cavity
 /** Triangles to put in the place of as many others, where those of a polygon change at all. */
 struct Filling
 {
-  int turnedBack = 0; ///< so many fewer are flipped
+  int turnedBack = 0; ///< so many fewer are inverted
   double gain = 0.0;  ///< of the cost
   std::vector<Index> old;
   std::vector<Triple> fresh;

@@ -63,7 +63,7 @@ public:
   {
   }
 
-  /** The best filling of the smallest cavities around a triangle where fewer are flipped then. */
+  /** The best filling of the smallest cavities around a triangle where fewer are inverted then. */
   Filling around(Index triangle)
   {
     const Triple& corners = m_mesh.triangles()[triangle];
@@ -139,7 +139,7 @@ bool refillAround(
   const Triple& corners = mesh.triangles()[triangle];
   const bool mayMove = std::any_of(corners.begin(), corners.end(),
     [&](Index v) { return !context.problem.isFixed(static_cast<std::size_t>(v)); });
-  if (mayMove && mesh.cost(corners) < flippedCost)
+  if (mayMove && mesh.cost(corners) < invertedCost)
   {
     return false;
   }

@@ -105,23 +105,23 @@ bool moveVertex(const RepairContext& context, Index vertex, Index other, Crossin
 }
 
 /** Turns the edge opposite to corner k of a triangle over, if fewer cross after. */
-bool turnEdge(Index triangle, int k, CrossingSearch& search, RepairedMesh& mesh)
+bool flipEdge(Index triangle, int k, CrossingSearch& search, RepairedMesh& mesh)
 {
-  RepairedMesh::Turn turn;
-  if (!mesh.canTurn(triangle, k, turn))
+  RepairedMesh::EdgeFlip flip;
+  if (!mesh.canFlip(triangle, k, flip))
   {
     return false;
   }
-  const std::vector<Index> both(turn.old.begin(), turn.old.end());
+  const std::vector<Index> both(flip.old.begin(), flip.old.end());
   for (const Index t : both)
   {
     search.setChanged(t);
   }
-  const RepairedMesh::Turn back{ turn.old,
-    { mesh.triangles()[turn.old[0]], mesh.triangles()[turn.old[1]] } };
+  const RepairedMesh::EdgeFlip back{ flip.old,
+    { mesh.triangles()[flip.old[0]], mesh.triangles()[flip.old[1]] } };
   const double limit = mesh.costOfStar(both) + 0.5 * strayCost;
   const Offset before = crossingsOf(both, search);
-  mesh.apply(turn);
+  mesh.apply(flip);
   if (mesh.costOfStar(both) < limit && crossingsOf(both, search) < before)
   {
     return true;
@@ -169,9 +169,9 @@ Offset part(const RepairContext& context, Index first, Index second, CrossingSea
   Offset turned = 0;
   for (const Index triangle : { first, second })
   {
-    for (int k = 0; k < 3 && context.mayTurn; ++k)
+    for (int k = 0; k < 3 && context.mayFlip; ++k)
     {
-      turned += cross() && turnEdge(triangle, k, search, mesh) ? 1 : 0;
+      turned += cross() && flipEdge(triangle, k, search, mesh) ? 1 : 0;
     }
   }
   edits.movedVertices += moved;

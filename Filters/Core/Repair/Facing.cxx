@@ -13,7 +13,7 @@ constexpr double noSides = 0.25; // of the triangles inverted: as if sides were 
 
 /** Of the wrong triangles, as `search` found them, those that these steps do not turn back. */
 WrongTriangles leftWrong(const PlacementProblem& problem, const NearbySurface& surface,
-  MeshSteps steps, const RunControl& control, FlipSearch& search)
+  MeshSteps steps, const RunControl& control, InvertedSearch& search)
 {
   const std::vector<Point3>& centroids = problem.components.centroids;
   std::vector<Point3> positions = centroids;
@@ -58,7 +58,7 @@ WrongTriangles findWrongTriangles(
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   const std::vector<Point3>& centroids = problem.components.centroids;
   const NearbySurface own(problem);
-  FlipSearch ownSearch(own);
+  InvertedSearch ownSearch(own);
   std::vector<Index> inverted;
   std::vector<char> suspects;
   Status status = ownSearch.find(problem.triangles, centroids, control, inverted);
@@ -74,7 +74,7 @@ WrongTriangles findWrongTriangles(
     return {};
   }
   const NearbySurface surface(problem, 0.0, &whole);
-  FlipSearch search(surface);
+  InvertedSearch search(surface);
   std::vector<Index> wrong;
   status = search.find(problem.triangles, centroids, control, wrong, &suspects);
   const bool haveSides = static_cast<Offset>(wrong.size() - inverted.size()) <= mostStrays(count);

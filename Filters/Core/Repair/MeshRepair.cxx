@@ -1,10 +1,10 @@
 #include "Repair/MeshRepair.h"
 
 #include "Repair/CavityRepair.h"
+#include "Repair/DualEdges.h"
 #include "Repair/Improve.h"
 #include "Repair/RepairedMesh.h"
 #include "Repair/StarRepair.h"
-#include "Repair/TurnedEdges.h"
 #include "Repair/Untangling.h"
 #include "Run/Verdict.h"
 
@@ -31,7 +31,7 @@ public:
     MeshEdits edits;
   };
 
-  MeshCandidate(const MeshTask& task, FlipSearch& search, std::vector<Triple>& triangles,
+  MeshCandidate(const MeshTask& task, InvertedSearch& search, std::vector<Triple>& triangles,
     std::vector<Point3>& positions, MeshEdits& edits)
     : m_task(task)
     , m_search(search)
@@ -77,7 +77,7 @@ private:
   }
 
   const MeshTask& m_task;
-  FlipSearch& m_search;
+  InvertedSearch& m_search;
   std::vector<Triple>& m_triangles;
   std::vector<Point3>& m_positions;
   MeshEdits& m_edits;
@@ -139,7 +139,7 @@ private:
   {
     RepairedMesh& mesh = candidate.mesh();
     MeshEdits& edits = candidate.edits();
-    const auto isInverted = [&]() { return mesh.isFlipped(mesh.triangles()[triangle]); };
+    const auto isInverted = [&]() { return mesh.isInverted(mesh.triangles()[triangle]); };
     if (isInverted())
     {
       mendTriangle(context, triangle, mesh, edits);
@@ -199,7 +199,7 @@ Improvement<MeshCandidate>::Table tableOf(MeshSteps steps)
 }
 }
 
-Status repairMesh(const MeshTask& task, MeshSteps steps, FlipSearch& search,
+Status repairMesh(const MeshTask& task, MeshSteps steps, InvertedSearch& search,
   std::vector<Triple>& triangles, std::vector<Point3>& positions, MeshEdits& edits)
 {
   edits = MeshEdits{};

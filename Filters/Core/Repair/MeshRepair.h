@@ -6,7 +6,7 @@
 #define remesh_MeshRepair_h
 
 #include "Placement/PlacementProblem.h"
-#include "Repair/FlipSearch.h"
+#include "Repair/InvertedSearch.h"
 #include "Run/PlacedVertices.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
@@ -49,13 +49,13 @@ struct MeshTask
  * (Untangling.h), then edges flip (not those along features), if the topology stays. Later steps
  * need only lower what triangles deviate from the surface's normals, around a triangle, too, and
  * cavities are filled anew (CavityRepair.h). In the end edges are flipped back where that inverts
- * nothing (TurnedEdges.h).
+ * nothing (DualEdges.h).
  *
  * @param search of the same mesh at other times, or a new one.
  * @param triangles T, of `task.problem.triangles`; changed by edge flips.
  * @param positions K; changed.
  */
-Status repairMesh(const MeshTask& task, MeshSteps steps, FlipSearch& search,
+Status repairMesh(const MeshTask& task, MeshSteps steps, InvertedSearch& search,
   std::vector<Triple>& triangles, std::vector<Point3>& positions, MeshEdits& edits);
 }
 

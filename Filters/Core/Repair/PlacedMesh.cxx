@@ -30,7 +30,7 @@ struct Repair
   PlacedVertices& placed;
 
   /** Turns back what faces against a surface, in copies of the mesh or in itself. */
-  Status turnBack(const NearbySurface& surface, FlipSearch& search, std::vector<Triple>& some,
+  Status turnBack(const NearbySurface& surface, InvertedSearch& search, std::vector<Triple>& some,
     std::vector<Point3>& positions, MeshEdits& edits) const
   {
     return repairMesh({ this->problem, surface, this->onSurface, this->start, this->control },
@@ -39,7 +39,7 @@ struct Repair
 
   Status turnInverted(const NearbySurface& own)
   {
-    FlipSearch search(own);
+    InvertedSearch search(own);
     return this->turnBack(own, search, this->triangles, this->placed.positions, this->placed.edits);
   }
 
@@ -62,7 +62,7 @@ struct Repair
       return status;
     }
     const NearbySurface surface(this->problem, leastHeight(this->problem.mesh), &this->whole);
-    FlipSearch search(surface);
+    InvertedSearch search(surface);
     std::vector<Index> wrong;
     // Where none faces against its own cells, only the suspects can be inverted.
     const bool faceOwnCells = this->placed.edits.inverted == 0;
@@ -85,7 +85,8 @@ struct Repair
   Status keepIfBetter(const NearbySurface& own, std::vector<Triple> others, PlacedVertices other)
   {
     std::vector<Index> inverted;
-    const Status status = FlipSearch(own).find(others, other.positions, this->control, inverted);
+    const Status status =
+      InvertedSearch(own).find(others, other.positions, this->control, inverted);
     other.strays = other.edits.inverted - static_cast<Offset>(inverted.size());
     other.edits.inverted = static_cast<Offset>(inverted.size());
     other.edits.movedVertices += this->placed.edits.movedVertices;

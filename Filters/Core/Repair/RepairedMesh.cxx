@@ -65,9 +65,9 @@ Point3 RepairedMesh::onSurface(Index vertex, const Point3& place) const
   return m_surface.closestPoint(cells.data(), cells.data() + cells.size(), place);
 }
 
-bool RepairedMesh::isFlipped(const Triple& triangle) const
+bool RepairedMesh::isInverted(const Triple& triangle) const
 {
-  return m_surface.isFlipped(triangle, cornersOf(triangle, m_positions));
+  return m_surface.isInverted(triangle, cornersOf(triangle, m_positions));
 }
 
 double RepairedMesh::cost(const Triple& triangle) const
@@ -75,7 +75,7 @@ double RepairedMesh::cost(const Triple& triangle) const
   const Corners corners = cornersOf(triangle, m_positions);
   const Facing facing = m_surface.facingOf(triangle, corners);
   const double stretch = stretchRatio(cornersOf(triangle, m_shapes), corners);
-  const double flip = facing.cosine < 0.0 ? flippedCost : facing.least < 0.0 ? strayCost : 0.0;
+  const double flip = facing.cosine < 0.0 ? invertedCost : facing.least < 0.0 ? strayCost : 0.0;
   return flip + (1.0 - facing.cosine) + stretchWeight * std::min(stretch, largestStretch);
 }
 
@@ -125,7 +125,7 @@ Index RepairedMesh::beyond(Index triangle, int k) const
   return across[(at + 1) % 3] == a ? other : noIndex;
 }
 
-bool RepairedMesh::canTurn(Index triangle, int k, Turn& turn) const
+bool RepairedMesh::canFlip(Index triangle, int k, EdgeFlip& flip) const
 {
   const Index other = this->beyond(triangle, k);
   if (other == noIndex)
@@ -145,13 +145,13 @@ bool RepairedMesh::canTurn(Index triangle, int k, Turn& turn) const
   {
     return false;
   }
-  turn = { { triangle, other }, { Triple{ apex, a, opposite }, Triple{ apex, opposite, b } } };
+  flip = { { triangle, other }, { Triple{ apex, a, opposite }, Triple{ apex, opposite, b } } };
   return true;
 }
 
-void RepairedMesh::apply(const Turn& turn)
+void RepairedMesh::apply(const EdgeFlip& flip)
 {
-  this->replace({ turn.old.begin(), turn.old.end() }, { turn.fresh.begin(), turn.fresh.end() });
+  this->replace({ flip.old.begin(), flip.old.end() }, { flip.fresh.begin(), flip.fresh.end() });
 }
 
 void RepairedMesh::replace(const std::vector<Index>& old, const std::vector<Triple>& fresh)

@@ -1,6 +1,6 @@
 /**
  * @file RepairedMesh.h
- * @brief A mesh while flipped triangles are turned back: how bad each is, and what may change.
+ * @brief A mesh while inverted triangles are turned back: how bad each is, and what may change.
  */
 #ifndef remesh_RepairedMesh_h
 #define remesh_RepairedMesh_h
@@ -15,7 +15,7 @@ namespace remesh
 {
 /** Above all that the other costs of a star sum to. */
 constexpr double strayCost = 1000.0; ///< of a triangle that faces other parts of the surface
-constexpr double flippedCost = 100.0 * strayCost; ///< its own part: above that of a star of strays
+constexpr double invertedCost = 100.0 * strayCost; ///< its own part: above that of a star of strays
 
 class RepairedMesh
 {
@@ -37,14 +37,14 @@ public:
   Point3 onSurface(Index vertex, const Point3& place) const;
 
   /** Against the surface (NearbySurface.h). */
-  bool isFlipped(const Triple& triangle) const;
-  /** What a triangle deviates from the surface's normal and its shape; far more if it is flipped.
+  bool isInverted(const Triple& triangle) const;
+  /** What a triangle deviates from the surface's normal and its shape; far more if it is inverted.
    */
   double cost(const Triple& triangle) const;
   double costOfStar(const std::vector<Index>& star) const;
 
   /** Two triangles, and those that share their four vertices with the other diagonal. */
-  struct Turn
+  struct EdgeFlip
   {
     std::array<Index, 2> old;
     std::array<Triple, 2> fresh;
@@ -54,10 +54,10 @@ public:
    * Looks at the edge opposite to corner k of a triangle: whether it can be turned over with no
    * change of topology and no loss of a feature.
    */
-  bool canTurn(Index triangle, int k, Turn& turn) const;
+  bool canFlip(Index triangle, int k, EdgeFlip& flip) const;
 
   /** Replaces the two triangles; their stars follow. */
-  void apply(const Turn& turn);
+  void apply(const EdgeFlip& flip);
 
   /**
    * The triangle on the other side of the edge opposite to corner k of a triangle; noIndex where

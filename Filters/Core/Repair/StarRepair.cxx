@@ -92,25 +92,25 @@ bool moveVertex(const RepairContext& context, Index vertex, bool many, RepairedM
 }
 
 /** Turns the edge opposite to corner k of a triangle over, if that helps; tells how to undo it. */
-bool turnEdge(const RepairContext& context, Index triangle, int k, RepairedMesh& mesh,
-  RepairedMesh::Turn* back = nullptr)
+bool flipEdge(const RepairContext& context, Index triangle, int k, RepairedMesh& mesh,
+  RepairedMesh::EdgeFlip* back = nullptr)
 {
-  RepairedMesh::Turn turn;
-  if (!mesh.canTurn(triangle, k, turn))
+  RepairedMesh::EdgeFlip flip;
+  if (!mesh.canFlip(triangle, k, flip))
   {
     return false;
   }
   const std::vector<Triple>& triangles = mesh.triangles();
-  const double before = mesh.cost(triangles[turn.old[0]]) + mesh.cost(triangles[turn.old[1]]);
-  if (mesh.cost(turn.fresh[0]) + mesh.cost(turn.fresh[1]) > before - 0.5 * context.gain)
+  const double before = mesh.cost(triangles[flip.old[0]]) + mesh.cost(triangles[flip.old[1]]);
+  if (mesh.cost(flip.fresh[0]) + mesh.cost(flip.fresh[1]) > before - 0.5 * context.gain)
   {
     return false;
   }
   if (back)
   {
-    *back = { turn.old, { triangles[turn.old[0]], triangles[turn.old[1]] } };
+    *back = { flip.old, { triangles[flip.old[0]], triangles[flip.old[1]] } };
   }
-  mesh.apply(turn);
+  mesh.apply(flip);
   return true;
 }
 
@@ -121,16 +121,16 @@ void mendTriangle(
 {
   for (const Index vertex : Triple(mesh.triangles()[triangle]))
   {
-    if (mesh.isFlipped(mesh.triangles()[triangle]))
+    if (mesh.isInverted(mesh.triangles()[triangle]))
     {
       edits.movedVertices += moveVertex(context, vertex, context.gain < strayCost, mesh);
     }
   }
   for (int k = 0; k < 3; ++k)
   {
-    if (context.mayTurn && mesh.isFlipped(mesh.triangles()[triangle]))
+    if (context.mayFlip && mesh.isInverted(mesh.triangles()[triangle]))
     {
-      edits.flippedEdges += turnEdge(context, triangle, k, mesh);
+      edits.flippedEdges += flipEdge(context, triangle, k, mesh);
     }
   }
 }
@@ -161,7 +161,7 @@ void mendAround(
 {
   const std::vector<Index> vertices = verticesAround(triangle, effort, mesh);
   std::vector<std::pair<Index, Point3>> moved;
-  std::vector<RepairedMesh::Turn> turned;
+  std::vector<RepairedMesh::EdgeFlip> turned;
   for (const Index vertex : vertices)
   {
     if (context.control.cancelled())
@@ -180,15 +180,15 @@ void mendAround(
     {
       for (int k = 0; k < 3; ++k)
       {
-        RepairedMesh::Turn back;
-        if (turnEdge(context, t, k, mesh, &back))
+        RepairedMesh::EdgeFlip back;
+        if (flipEdge(context, t, k, mesh, &back))
         {
           turned.push_back(back);
         }
       }
     }
   }
-  if (effort != Effort::KeptAnyway && mesh.isFlipped(mesh.triangles()[triangle]))
+  if (effort != Effort::KeptAnyway && mesh.isInverted(mesh.triangles()[triangle]))
   {
     std::for_each(turned.rbegin(), turned.rend(), [&](const auto& back) { mesh.apply(back); });
     std::for_each(moved.rbegin(), moved.rend(),

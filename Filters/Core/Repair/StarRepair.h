@@ -1,6 +1,6 @@
 /**
  * @file StarRepair.h
- * @brief Turns one flipped triangle back by what is around it.
+ * @brief Turns one inverted triangle back by what is around it.
  */
 #ifndef remesh_StarRepair_h
 #define remesh_StarRepair_h
@@ -28,7 +28,7 @@ struct RepairContext
   const PlacementProblem& problem;
   const std::vector<Point3>& surfacePlaces;
   const RunControl& control;
-  bool mayTurn;
+  bool mayFlip;
   double gain;
 };
 

@@ -75,10 +75,10 @@ public:
 
   Offset numberOfVertices() const { return static_cast<Offset>(m_vertices.size()); }
 
-  Offset countFlipped() const
+  Offset countInverted() const
   {
     return std::count_if(m_triangles.begin(), m_triangles.end(),
-      [&](Index t) { return m_mesh.isFlipped(m_mesh.triangles()[t]); });
+      [&](Index t) { return m_mesh.isInverted(m_mesh.triangles()[t]); });
   }
 
   /** An integral of squared distances that is as good as none. */
@@ -138,7 +138,7 @@ public:
       {
         position = this->along(k, m_starts[k] + way * (end - m_starts[k]));
         return std::none_of(m_stars[k].begin(), m_stars[k].end(),
-          [&](Index t) { return m_mesh.isFlipped(m_mesh.triangles()[m_triangles[t]]); });
+          [&](Index t) { return m_mesh.isInverted(m_mesh.triangles()[m_triangles[t]]); });
       };
       const auto ways = { 0.0, 0.125, 0.25, 0.5, 0.75, 1.0 };
       const bool found = std::any_of(ways.begin(), ways.end(), fits);
@@ -235,7 +235,7 @@ Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, I
     {
       patch.sweep();
     }
-    if (patch.countFlipped() == 0)
+    if (patch.countInverted() == 0)
     {
       const Offset moved = patch.comeBack();
       if (patch.error() <= error)

@@ -1,6 +1,6 @@
 /**
  * @file Untangling.h
- * @brief Gives all triangles around a flipped one a positive area, seen from the surface.
+ * @brief Gives all triangles around an inverted one a positive area, seen from the surface.
  */
 #ifndef remesh_Untangling_h
 #define remesh_Untangling_h
@@ -19,7 +19,7 @@ namespace remesh
  *
  * @param rings how far around the triangle, from 1.
  * @return the number of vertices moved; 0, and nothing is changed, unless no triangle around is
- *         flipped after, and the surface is about as near; or the run is cancelled.
+ *         inverted after, and the surface is about as near; or the run is cancelled.
  * Cost: up to some thousand searches for the surface's closest facet, each among the pieces of a
  * few cells.
  */

@@ -1,4 +1,4 @@
-#include "Repair/FlipSearch.h"
+#include "Repair/InvertedSearch.h"
 
 #include "Placement/TriangleShape.h"
 #include "Support/Parallel.h"
@@ -8,13 +8,14 @@
 
 namespace remesh
 {
-Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
-  const RunControl& control, std::vector<Index>& flipped, const std::vector<char>* suspects)
+Status InvertedSearch::find(const std::vector<Triple>& triangles,
+  const std::vector<Point3>& positions, const RunControl& control, std::vector<Index>& inverted,
+  const std::vector<char>* suspects)
 {
   const bool first = m_triangles.empty();
   if (first)
   {
-    m_isFlipped.assign(triangles.size(), 0);
+    m_isInverted.assign(triangles.size(), 0);
   }
   std::optional<NormalCones> cones; // worth their time where all triangles are judged
   if (first && !suspects)
@@ -39,8 +40,8 @@ Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<
             if (!isKnown(t))
             {
               const Corners corners = cornersOf(triangles[t], positions);
-              m_isFlipped[t] = cones ? m_surface.isFlipped(triangles[t], corners, *cones)
-                                     : m_surface.isFlipped(triangles[t], corners);
+              m_isInverted[t] = cones ? m_surface.isInverted(triangles[t], corners, *cones)
+                                      : m_surface.isInverted(triangles[t], corners);
             }
           }
         }))
@@ -48,16 +49,16 @@ Status FlipSearch::find(const std::vector<Triple>& triangles, const std::vector<
     m_triangles.clear(); // some of them are not judged
     return Status::cancelled();
   }
-  flipped.clear();
+  inverted.clear();
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    if (m_isFlipped[t])
+    if (m_isInverted[t])
     {
-      flipped.push_back(static_cast<Index>(t));
+      inverted.push_back(static_cast<Index>(t));
     }
   }
   m_triangles.clear();
-  if (!flipped.empty()) // else there is nothing to repair, and no other search
+  if (!inverted.empty()) // else there is nothing to repair, and no other search
   {
     m_triangles = triangles;
     m_positions = positions;

@@ -1,5 +1,5 @@
 /**
- * @file FlipSearch.h
+ * @file InvertedSearch.h
  * @brief Finds triangles that face against the surface, again and again while the mesh changes.
  */
 #ifndef remesh_FlipSearch_h
@@ -15,10 +15,10 @@ namespace remesh
  * Judges a triangle only if it is another than in the search before, or one of its corners has
  * moved since: repairs touch few of them. The surface must be the same.
  */
-class FlipSearch
+class InvertedSearch
 {
 public:
-  explicit FlipSearch(const NearbySurface& surface)
+  explicit InvertedSearch(const NearbySurface& surface)
     : m_surface(surface)
   {
   }
@@ -31,17 +31,17 @@ public:
    * alone where the cells bend far.
    *
    * @param triangles T, as many in each search.
-   * @param suspects T, if given: in the first search, no others are flipped.
-   * @return Cancelled; then `flipped` is of no use.
+   * @param suspects T, if given: in the first search, no others are inverted.
+   * @return Cancelled; then `inverted` is of no use.
    */
   Status find(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
-    const RunControl& control, std::vector<Index>& flipped,
+    const RunControl& control, std::vector<Index>& inverted,
     const std::vector<char>* suspects = nullptr);
 
 private:
   const NearbySurface& m_surface;
-  std::vector<char> m_isFlipped;   ///< T, as of the last search; none before the first
-  std::vector<Triple> m_triangles; ///< of the last search; none if nothing was flipped
+  std::vector<char> m_isInverted;  ///< T, as of the last search; none before the first
+  std::vector<Triple> m_triangles; ///< of the last search; none if nothing was inverted
   std::vector<Point3> m_positions; ///< likewise
 };
 }

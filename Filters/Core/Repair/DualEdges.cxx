@@ -1,4 +1,4 @@
-#include "Repair/TurnedEdges.h"
+#include "Repair/DualEdges.h"
 
 #include <algorithm>
 #include <set>
@@ -43,24 +43,24 @@ Changes changesOf(const std::vector<Triple>& dual, const std::vector<Triple>& tr
 }
 
 /** Turns the edge opposite to corner k of a triangle back; false where that is not to be. */
-bool turnEdgeBack(
+bool flipEdgeBack(
   const Changes& changes, Index triangle, int k, RepairedMesh& mesh, MeshEdits& edits)
 {
-  RepairedMesh::Turn turn;
-  if (changes.hadEdge(mesh.triangles()[triangle], k) || !mesh.canTurn(triangle, k, turn))
+  RepairedMesh::EdgeFlip flip;
+  if (changes.hadEdge(mesh.triangles()[triangle], k) || !mesh.canFlip(triangle, k, flip))
   {
     return false;
   }
-  const auto& [first, second] = turn.fresh; // first: apex, a, opposite; its new edge is across a
-  if (!changes.hadEdge(first, 1) || mesh.isFlipped(first) || mesh.isFlipped(second))
+  const auto& [first, second] = flip.fresh; // first: apex, a, opposite; its new edge is across a
+  if (!changes.hadEdge(first, 1) || mesh.isInverted(first) || mesh.isInverted(second))
   {
     return false;
   }
-  for (const Index old : turn.old)
+  for (const Index old : flip.old)
   {
-    edits.inverted -= mesh.isFlipped(mesh.triangles()[old]) ? 1 : 0;
+    edits.inverted -= mesh.isInverted(mesh.triangles()[old]) ? 1 : 0;
   }
-  mesh.apply(turn);
+  mesh.apply(flip);
   --edits.flippedEdges;
   return true;
 }
@@ -76,7 +76,7 @@ void turnBack(const std::vector<Triple>& dual, RepairedMesh& mesh, MeshEdits& ed
     {
       for (int k = 0; k < 3; ++k)
       {
-        any = turnEdgeBack(changes, triangle, k, mesh, edits) || any;
+        any = flipEdgeBack(changes, triangle, k, mesh, edits) || any;
       }
     }
   }

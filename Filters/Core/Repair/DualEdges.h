@@ -1,5 +1,5 @@
 /**
- * @file TurnedEdges.h
+ * @file DualEdges.h
  * @brief Gives a repaired mesh the edges of the dual again, where it has no need of others.
  */
 #ifndef remesh_TurnedEdges_h
@@ -13,8 +13,8 @@
 namespace remesh
 {
 /**
- * Turns edges that the dual does not have back to such that it has, where no triangle is flipped by
- * that; again and again, as one may wait for another.
+ * Turns edges that the dual does not have back to such that it has, where no triangle is inverted
+ * by that; again and again, as one may wait for another.
  *
  * @param dual T, the triangles before edges were turned.
  * @param edits its counts follow.
