@@ -34,10 +34,12 @@ void testVerdicts()
   CHECK(verdictOf(flawless()) == Verdict());
   RemeshResult more = flawless();
   more.components.sites.resize(160);
-  CHECK_EQUAL(verdictOf(more).pointsOff, 60);
+  CHECK_EQUAL(verdictOf(more).pointsOff, 1); // in halves of 100
+  CHECK_EQUAL(verdictOf(more).pointsForced, 60);
   RemeshResult fewer = flawless();
   fewer.components.sites.resize(51);
-  CHECK_EQUAL(verdictOf(fewer).pointsOff, 49);
+  CHECK_EQUAL(verdictOf(fewer).pointsOff, 0);
+  CHECK_EQUAL(verdictOf(fewer).pointsForced, 49);
   RemeshResult allowed = flawless();
   allowed.components.sites.resize(110);
   CHECK_EQUAL(verdictOf(allowed).pointsOff, 0);

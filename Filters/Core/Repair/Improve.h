@@ -40,7 +40,7 @@ public:
   /**
    * Edits the candidate.
    *
-   * @param edit, of those of its row: 0, 1, ...
+   * @param edit 0 for the first edit of its row, 1 for the second, and so on.
    * @return whether it did; if not, the candidate is as it was.
    */
   virtual Status edit(Candidate& candidate, int edit, const RunControl& control, bool& done) = 0;

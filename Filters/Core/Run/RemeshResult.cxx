@@ -1,5 +1,7 @@
 #include "Run/RemeshResult.h"
 
+#include <cstdlib>
+
 namespace remesh
 {
 RemeshResult::Seconds& RemeshResult::Seconds::operator+=(const Seconds& other)
@@ -17,11 +19,12 @@ RemeshResult::Seconds& RemeshResult::Seconds::operator+=(const Seconds& other)
 Verdict verdictOf(const RemeshResult& result, const RemeshOptions& options)
 {
   const Offset extra = result.extraVertices();
-  const bool areTooMany = result.hasTooManyVertices(options);
+  const bool areTooMany = extra < 0 || result.hasTooManyVertices(options);
   Verdict verdict;
-  verdict.pointsOff = extra < 0 ? -extra : areTooMany ? extra : 0;
+  verdict.pointsOff =
+    areTooMany ? 2 * std::abs(extra) / std::max(result.wantedVertices, Offset(1)) : 0;
   verdict.isUnproven = !result.topology.preserved();
-  verdict.pointsForced = std::max(extra, Offset(0));
+  verdict.pointsForced = std::abs(extra);
   verdict.faults = result.topology.certificate.violations();
   verdict.inverted = result.placement.edits.inverted;
   verdict.strays = result.placement.strays;

@@ -86,8 +86,8 @@ struct RemeshResult
 };
 
 /**
- * What is wrong with the placed mesh. Points beyond those asked for, up to those that may be, are
- * forced ones.
+ * What is wrong with the placed mesh. Its repairs have done what they could for the number of
+ * points: `pointsOff` is in halves of those asked for, and the rest counts as forced.
  */
 Verdict verdictOf(const RemeshResult& result, const RemeshOptions& options);
 }
