@@ -216,21 +216,4 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   sites.coordinates.insert(sites.coordinates.end(), added.begin(), added.end());
   return { static_cast<Index>(added.size() / d), static_cast<Index>(removed.size()), last };
 }
-
-std::vector<Index> sitesAroundAdded(
-  const Components& components, const Dual& dual, Index numberOfSites, Index addedBefore)
-{
-  const std::vector<char> nearest = distancesOfSites(components,
-    distancesToFailures(components, dual, Certificate(), numberOfSites - addedBefore),
-    numberOfSites);
-  std::vector<Index> around;
-  for (Index i = 0; i < numberOfSites; ++i)
-  {
-    if (nearest[i] <= ringsKept)
-    {
-      around.push_back(i);
-    }
-  }
-  return around;
-}
 }

@@ -35,10 +35,6 @@ struct Revision
 Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
   const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
   Index addedBefore, Sites& sites, bool keepAdded = true);
-
-/** The last `addedBefore` sites, and those a few triangles around them; ascending. O(K). */
-std::vector<Index> sitesAroundAdded(
-  const Components& components, const Dual& dual, Index numberOfSites, Index addedBefore);
 }
 
 #endif

@@ -189,7 +189,6 @@ Status ReserveRelease::edit(
   const Offset given = std::min(candidate.extraPoints(), static_cast<Offset>(m_gone.size()));
   candidate.replaceSites(
     std::move(sites), static_cast<Index>(m_stayed.size()), candidate.extraPoints() - given);
-  candidate.leaveUnsettled();
   return control.cancelled() ? Status::cancelled() : Status::success();
 }
 

@@ -89,7 +89,7 @@ Status SiteCandidate::countFacing(const RunControl& control)
   Stopwatch watch;
   m_countsFacing = true;
   m_start = m_verdict;
-  m_start.reserve = m_start.unsettled = std::numeric_limits<Offset>::max();
+  m_start.reserve = std::numeric_limits<Offset>::max();
   const Status status = this->countWrong(control);
   this->findVerdict();
   m_result.seconds.repair += watch.lap();
@@ -104,15 +104,13 @@ bool SiteCandidate::isWorthCounting() const
 
 SiteCandidate::State SiteCandidate::state() const
 {
-  return { m_judged, m_result.featureSites, m_settled, m_settledPlaces, m_added, m_extraPoints };
+  return { m_judged, m_result.featureSites, m_added, m_extraPoints };
 }
 
 void SiteCandidate::restore(const State& state)
 {
   m_result.sites = *state.sites;
   m_result.featureSites = state.featureSites;
-  m_settled = state.settled;
-  m_settledPlaces = state.settledPlaces;
   m_added = state.added;
   m_extraPoints = state.extraPoints;
 }
@@ -222,9 +220,6 @@ void SiteCandidate::findVerdict()
   m_verdict.inverted = static_cast<Offset>(m_inverted.size());
   m_verdict.strays = static_cast<Offset>(m_strays.size());
   m_verdict.reserve = m_added;
-  // Once settled, half of it is left.
-  m_verdict.unsettled = static_cast<Offset>(this->unsettledPlaces().size()) *
-    (m_settledPlaces.empty() ? 2 : 1) / m_task.surface.dimension;
   if (m_task.options.exactNumber)
   {
     m_verdict.pointsOff = std::max({ Offset(0), -beyond, count - this->wantedVertices() });
@@ -341,48 +336,12 @@ void SiteCandidate::replaceSites(Sites sites, Index added, Offset extraPoints)
   roundToCaller(m_task.surface, m_result.sites);
 }
 
-Status SiteCandidate::relax(const std::vector<double>& places, int steps, const RunControl& control)
-{
-  Status status = relaxAround(m_task.surface, m_result.diagram, *m_judged,
-    compareSites(*m_judged, m_result.sites), places, steps, m_task.options.seed, control,
-    m_result.sites);
-  roundToCaller(m_task.surface, m_result.sites);
-  return status;
-}
-
 Status SiteCandidate::settle(const RunControl& control)
 {
-  return this->relax(compareSites(*m_judged, m_result.sites).places, settlingSteps, control);
-}
-
-void SiteCandidate::leaveUnsettled()
-{
-  if (!m_othersStay && !m_settled)
-  {
-    m_settled = m_judged;
-  }
-  m_settledPlaces.clear();
-}
-
-std::vector<double> SiteCandidate::unsettledPlaces() const
-{
-  return !m_settledPlaces.empty() ? m_settledPlaces
-    : m_settled                   ? compareSites(*m_settled, m_result.sites).places
-                                  : std::vector<double>();
-}
-
-Status SiteCandidate::settleAll(const RunControl& control)
-{
-  const std::vector<Index> staying =
-    sitesAroundAdded(m_result.components, m_result.dual, m_result.sites.count(), m_added);
-  const std::vector<double> places = this->unsettledPlaces();
-  Status status = this->relax(places, settlingSteps, control);
-  m_settled = m_settledPlaces.empty() ? m_settled : nullptr; // after the second time
-  m_settledPlaces = m_settled ? places : std::vector<double>();
-  for (const Index site : staying)
-  {
-    std::copy_n(m_judged->site(site), m_task.surface.dimension, m_result.sites.site(site));
-  }
+  const SiteChanges changes = compareSites(*m_judged, m_result.sites);
+  Status status = relaxAround(m_task.surface, m_result.diagram, *m_judged, changes, changes.places,
+    settlingSteps, m_task.options.seed, control, m_result.sites);
+  roundToCaller(m_task.surface, m_result.sites);
   return status;
 }
 }

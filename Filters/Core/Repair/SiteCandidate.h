@@ -27,10 +27,8 @@ public:
   {
     SharedSites sites;
     FeatureSites featureSites;
-    SharedSites settled; ///< before the first edit that no Lloyd's steps followed; or none
-    std::vector<double> settledPlaces; ///< rows of R^d, where it was done once for all of them
-    Index added = 0;                   ///< by repairs; about the last ones there are
-    Offset extraPoints = 0;            ///< that the mesh may have beyond those asked for
+    Index added = 0;        ///< by repairs; about the last ones there are
+    Offset extraPoints = 0; ///< that the mesh may have beyond those asked for
   };
 
   /**
@@ -105,12 +103,6 @@ public:
 
   /** A few of Lloyd's steps around what the last edit changed. */
   Status settle(const RunControl& control);
-  /** Remembers instead that none were taken. */
-  void leaveUnsettled();
-  bool isUnsettled() const { return m_settled != nullptr; }
-  /** Such steps, once of a few times, for all edits that were left so; those added and their
-   * neighbours stay. */
-  Status settleAll(const RunControl& control);
 
 private:
   Status findDiagram(const RunControl& control);
@@ -119,8 +111,6 @@ private:
   Status countWrong(const RunControl& control);
   Status knowSurface(const RunControl& control);
   void findVerdict();
-  Status relax(const std::vector<double>& places, int steps, const RunControl& control);
-  std::vector<double> unsettledPlaces() const; ///< rows of R^d
 
   const Task& m_task;
   RemeshResult& m_result;
@@ -131,8 +121,6 @@ private:
   EdgeTable m_edges;           ///< of the surface, as it is cut
   std::vector<Index> m_owners; ///< C, of the corners, in the diagram at hand
   SharedSites m_judged; ///< the sites of the diagram at hand; none as yet, or where none may change
-  SharedSites m_settled;
-  std::vector<double> m_settledPlaces;
   Index m_added = 0;
   Offset m_extraPoints = 0;
   std::vector<Index> m_inverted;

@@ -15,13 +15,9 @@ Status SettledProposal::edit(
   SiteCandidate& candidate, int edit, const RunControl& control, bool& done)
 {
   done = this->change(candidate, edit, control);
-  if (done && edit < m_settledEdits && !candidate.othersStay() && !candidate.isUnsettled())
+  if (done && edit < m_settledEdits && !candidate.othersStay())
   {
     return candidate.settle(control);
-  }
-  if (done)
-  {
-    candidate.leaveUnsettled();
   }
   return control.cancelled() ? Status::cancelled() : Status::success();
 }
@@ -272,29 +268,6 @@ private:
   bool m_strays;
   std::vector<Offset> m_counts; ///< before each edit
 };
-
-class SettleEdits : public SiteProposal
-{
-public:
-  bool answers(const SiteCandidate& candidate) const override
-  {
-    return candidate.verdict().unsettled > 0 && !candidate.verdict().isUnproven;
-  }
-
-  /** Only the number of vertices is adjusted after it. */
-  bool hopes(const SiteCandidate& candidate) const override
-  {
-    const Verdict& verdict = candidate.verdict();
-    return !verdict.isUnproven && verdict.intrusions + verdict.inverted + verdict.strays == 0;
-  }
-
-  Status edit(
-    SiteCandidate& candidate, int /*edit*/, const RunControl& control, bool& done) override
-  {
-    done = true;
-    return candidate.settleAll(control);
-  }
-};
 }
 
 std::unique_ptr<SiteProposal> joinCurves(int settledEdits)
@@ -330,10 +303,5 @@ std::unique_ptr<SiteProposal> refineInverted()
 std::unique_ptr<SiteProposal> refineStrays()
 {
   return std::make_unique<RefineTriangles>(true);
-}
-
-std::unique_ptr<SiteProposal> settleEdits()
-{
-  return std::make_unique<SettleEdits>();
 }
 }

@@ -59,9 +59,6 @@ std::unique_ptr<SiteProposal> refineInverted();
 
 /** Sites where triangles face another part of the surface the wrong way. */
 std::unique_ptr<SiteProposal> refineStrays();
-
-/** Lloyd's steps around all edits that none followed. */
-std::unique_ptr<SiteProposal> settleEdits();
 }
 
 #endif

@@ -71,7 +71,6 @@ SiteTable facingTable()
   table.push_back({ "divide curves at inverted", divideCurvesAtInverted(), 8, 2 });
   table.push_back({ "refine inverted", refineInverted(), 8, 2 });
   table.push_back({ "refine strays", refineStrays(), 8, 3 });
-  table.push_back({ "settle edits", settleEdits(), 2, 0 });
   return table;
 }
 

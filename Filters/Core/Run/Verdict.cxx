@@ -9,7 +9,7 @@ namespace
 auto inOrder(const Verdict& v)
 {
   return std::tie(v.pointsOff, v.isUnproven, v.pointsForced, v.intrusions, v.faults, v.inverted,
-    v.strays, v.crossings, v.refilled, v.reserve, v.unsettled);
+    v.strays, v.crossings, v.refilled, v.reserve);
 }
 }
 

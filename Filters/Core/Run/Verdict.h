@@ -29,7 +29,6 @@ struct Verdict
   Offset crossings = 0;  ///< pairs of triangles that go through each other
   Offset refilled = 0;   ///< triangles that are not the dual's, as else they were inverted
   Offset reserve = 0;    ///< sites that repairs added: as few as the topology needs
-  Offset unsettled = 0;  ///< places where sites changed and those around were not spread again
 };
 
 /** Whether the first is better. */
