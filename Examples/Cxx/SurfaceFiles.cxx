@@ -3,6 +3,7 @@
 #include "CrashGuard.h"
 #include "Failure.h"
 #include "InputBytes.h"
+#include "MeshReader.h"
 #include "Messages.h"
 #include "ObjReader.h"
 #include "OffReader.h"
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <set>
 
@@ -46,6 +48,7 @@ std::string ExtensionOf(const std::string& bytes)
     : has("<VTKFile") && has("\"UnstructuredGrid\"")                ? ".vtu"
     : start.rfind("# vtk DataFile", 0) == 0                         ? ".vtk"
     : word.size() <= 6 && !word.empty() && has("OFF")               ? ".off"
+    : word == "meshversionformatted"                                ? ".mesh"
     : word == "solid"                                               ? ".stl"
     : word == "v" || word == "#" || word == "o" || word == "mtllib" ? ".obj"
                                                                     : "";
@@ -71,6 +74,7 @@ private:
   vtkSmartPointer<vtkPolyData> ReadVtk();
   vtkSmartPointer<vtkPolyData> ReadVtu();
   vtkSmartPointer<vtkPolyData> ReadGltf();
+  vtkSmartPointer<vtkPolyData> ReadMeshAndSolution();
   void Update(vtkAlgorithm* reader);
 
   std::string Path;
@@ -170,6 +174,19 @@ vtkSmartPointer<vtkPolyData> Source::ReadGltf()
   return append->GetOutput();
 }
 
+/** The mesh, with the .sol file of its name, if there is one beside it. */
+vtkSmartPointer<vtkPolyData> Source::ReadMeshAndSolution()
+{
+  auto surface = ReadMesh(this->Bytes);
+  const std::string plain = WithoutGz(this->Path);
+  const std::string solution = plain.substr(0, plain.size() - 5) + ".sol";
+  if (this->Path != "-" && std::ifstream(solution).good())
+  {
+    AddSolutions(ReadBytes(solution), surface);
+  }
+  return surface;
+}
+
 vtkSmartPointer<vtkPolyData> Source::Read()
 {
   this->Bytes = ReadBytes(this->Path);
@@ -194,6 +211,10 @@ vtkSmartPointer<vtkPolyData> Source::Read()
       this->Log->DisplayWarningText(warning.c_str());
     }
     return surface;
+  }
+  if (extension == ".mesh")
+  {
+    return this->ReadMeshAndSolution();
   }
   return extension == ".ply" ? ReadPly(this->Bytes)
     : extension == ".stl"    ? ReadStl(this->Bytes)
@@ -270,7 +291,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
   try
   {
     const std::string fault = ExtensionFault(
-      path, { ".vtp", ".vtk", ".ply", ".stl", ".obj", ".off", ".vtu", ".glb", ".gltf" });
+      path, { ".vtp", ".vtk", ".ply", ".stl", ".obj", ".off", ".mesh", ".vtu", ".glb", ".gltf" });
     if (!fault.empty())
     {
       ReadBytes(path); // a file that is not there has its own sentence

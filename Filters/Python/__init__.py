@@ -7,7 +7,8 @@
     result.save("mesh.vtp")
 
 Functions: `remesh`, `compare` (how good a mesh is), `voronoi` (cells of given sites), `embed` (the
-space that the remesher measures in). They give back results like `Remeshed`; what is wrong raises,
+space that the remesher measures in), `metric_from_solution` (the metric for a solution),
+`spectral_embedding` (eigenfunctions). They give back results like `Remeshed`; what is wrong raises,
 what is doubtful is a Python warning, and Ctrl-C stops a run.
 
 The VTK filters underneath are here, too, as `vtkAnisotropicRemesher`, for VTK pipelines.
@@ -21,9 +22,10 @@ import vtkmodules.vtkCommonDataModel  # noqa: F401
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
 from . import _execution as _execution
+from ._fields import metric_from_solution, spectral_embedding
 from ._functions import compare, embed, remesh, voronoi
 from ._messages import RemeshingError, RemeshingStopped, RemeshingWarning
-from ._results import Compared, Diagram, Distance, Embedded, Remeshed
+from ._results import Compared, Diagram, Distance, Embedded, Metric, Remeshed, Spectrum
 from ._version import __version__
 from .vtkFiltersAnisotropicRemeshing import (
     vtkAnisotropicRemesher,
@@ -31,6 +33,9 @@ from .vtkFiltersAnisotropicRemeshing import (
     vtkGaussMapEmbedding,
     vtkRestrictedVoronoiAlgorithm,
     vtkRestrictedVoronoiDiagram,
+    vtkSolutionMetric,
+    vtkSpectralEmbedding,
+    vtkSurfaceFieldAlgorithm,
     vtkSurfaceMeshComparison,
     vtkWholeSurfaceAlgorithm,
 )
@@ -38,8 +43,8 @@ from .vtkFiltersAnisotropicRemeshing import (
 _execution.watch(_threading.main_thread().ident or 0)
 
 # Where they are to be found, as tracebacks and help() tell it.
-for _public in (Compared, Diagram, Distance, Embedded, Remeshed, RemeshingError, RemeshingStopped,
-                RemeshingWarning, compare, embed, remesh, voronoi):
+for _public in (Compared, Diagram, Distance, Embedded, Metric, Remeshed, RemeshingError, RemeshingStopped,
+                RemeshingWarning, Spectrum, compare, embed, metric_from_solution, remesh, spectral_embedding, voronoi):
     _public.__module__ = __name__
 
 __all__ = [
@@ -47,20 +52,27 @@ __all__ = [
     "Diagram",
     "Distance",
     "Embedded",
+    "Metric",
     "Remeshed",
     "RemeshingError",
     "RemeshingStopped",
     "RemeshingWarning",
+    "Spectrum",
     "__version__",
     "compare",
     "embed",
+    "metric_from_solution",
     "remesh",
+    "spectral_embedding",
     "voronoi",
     "vtkAnisotropicRemesher",
     "vtkEmbeddedSurfaceAlgorithm",
     "vtkGaussMapEmbedding",
     "vtkRestrictedVoronoiAlgorithm",
     "vtkRestrictedVoronoiDiagram",
+    "vtkSolutionMetric",
+    "vtkSpectralEmbedding",
+    "vtkSurfaceFieldAlgorithm",
     "vtkSurfaceMeshComparison",
     "vtkWholeSurfaceAlgorithm",
 ]

@@ -258,6 +258,37 @@ class Embedded(_Result):
         }
 
 
+class Spectrum(Embedded):
+    """A surface with eigenfunctions of its Laplacian, from `spectral_embedding`."""
+
+    @property
+    def eigenvalues(self) -> numpy.ndarray[Any, Any]:
+        """(d,) numpy view, ascending, in 1 / the square of the points' unit."""
+        return _surfaces.view_of(self._plain().GetFieldData().GetArray("Eigenvalues"))
+
+
+class Metric(_Result):
+    """A surface with a metric, from `metric_from_solution`."""
+
+    @property
+    def surface(self) -> Any:
+        """The surface as it was put in, with the point array `Metric`."""
+        return self._give(0, "cells")
+
+    @property
+    def metric(self) -> numpy.ndarray[Any, Any]:
+        """(n, 6) numpy view, a tensor XX YY ZZ XY YZ XZ for each point of the surface."""
+        return _surfaces.view_of(self._plain().GetPointData().GetArray("Metric"))
+
+    @property
+    def wanted_points(self) -> int:
+        """How many points a mesh has whose edges have the length 1 in the metric."""
+        return round(self._plain().GetFieldData().GetArray("MetricPoints").GetValue(0))
+
+    def _facts(self) -> Dict[str, str]:
+        return {"points": str(self._plain().GetNumberOfPoints()), "asks for": str(self.wanted_points)}
+
+
 def facts_of(field: Any, names: List[str]) -> Dict[str, Any]:
     """Those single values of field data that are there, in snake case."""
     facts: Dict[str, Any] = {}

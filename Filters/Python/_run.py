@@ -44,6 +44,14 @@ PROPERTIES = {
     "samples": "NumberOfSamples",
     "bound_maximum_distance": "BoundMaximumDistance",
     "bins": "NumberOfBins",
+    "minimum_size": "MinimumSize",
+    "maximum_size": "MaximumSize",
+    "maximum_ratio": "MaximumRatio",
+    "chord_tolerance": "ChordTolerance",
+    "distance_size": "DistanceSize",
+    "distance_growth": "DistanceGrowth",
+    "dimension": "Dimension",
+    "time": "DiffusionTime",
 }
 
 #: Arguments that are words, their properties, and the values.
@@ -52,6 +60,10 @@ CHOICES: Dict[str, Tuple[str, Tuple[str, ...]]] = {
     "vertex_placement": ("VertexPlacement", ("centroid", "surface_point", "quadric", "fit")),
     "embedding_mode": ("EmbeddingMode", ("position", "gauss_map")),
     "metric_order": ("MetricOrder", ("vtk", "rows", "sol")),
+    "scaling": ("Scaling", ("none", "commute_time", "diffusion", "biharmonic")),
+    "mass": ("MassMatrix", ("lumped", "consistent")),
+    "border": ("BorderCondition", ("natural", "fixed")),
+    "norm": ("ErrorNorm", ("l1", "l2", "l4", "maximum")),
     "backend": ("SMPBackend", ("automatic", "sequential", "stdthread", "tbb")),
 }
 
@@ -108,7 +120,7 @@ def choose_arrays(algorithm: Any, surface: Input, arrays: Mapping[str, Any]) -> 
         algorithm.SetEmbeddingArray(surface.array("embedding", embedding, "Given embedding"))
     metric = arrays.get("metric")
     if metric is not None:
-        algorithm.SetMetricArray(surface.array("metric", _flat(metric), "Given metric"))
+        algorithm.SetMetricArray(surface.array("metric", flat_tensors(metric), "Given metric"))
     for index, (array, scale) in enumerate(_pairs(arrays.get("coordinates"))):
         name = surface.array("coordinates", array, f"Given coordinates {index}")
         algorithm.AddCoordinateArray(name, scale)
@@ -126,7 +138,7 @@ def choose_arrays(algorithm: Any, surface: Input, arrays: Mapping[str, Any]) -> 
         algorithm.SetSeamArray(surface.array("seams", seams, "Given seams"))
 
 
-def _flat(metric: Any) -> Any:
+def flat_tensors(metric: Any) -> Any:
     """Tensors (n, 3, 3) as rows (n, 9)."""
     if isinstance(metric, str):
         return metric

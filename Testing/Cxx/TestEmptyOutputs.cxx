@@ -4,6 +4,8 @@
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
+#include "vtkSolutionMetric.h"
+#include "vtkSpectralEmbedding.h"
 #include "vtkSurfaceMeshComparison.h"
 
 #include "vtkIntArray.h"
@@ -97,6 +99,13 @@ void testEmptyInput()
   embedding->SetInputData(empty);
   embedding->SetEmbeddingArray("E");
   checkSilent(embedding, "empty input of the embedding");
+  vtkNew<vtkSolutionMetric> metric;
+  metric->SetInputData(empty);
+  metric->AddSolutionArray("E");
+  checkSilent(metric, "empty input of the metric");
+  vtkNew<vtkSpectralEmbedding> spectrum;
+  spectrum->SetInputData(empty);
+  checkSilent(spectrum, "empty input of the eigenfunctions");
   vtkNew<vtkSurfaceMeshComparison> comparison;
   comparison->SetInputData(empty);
   comparison->SetReferenceData(sphere());

@@ -5,6 +5,8 @@
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
 #include "vtkRestrictedVoronoiDiagram.h"
+#include "vtkSolutionMetric.h"
+#include "vtkSpectralEmbedding.h"
 #include "vtkSurfaceMeshComparison.h"
 
 #include <array>
@@ -250,6 +252,57 @@ void testModification()
   filter->Update();
   CHECK(runs <= 3);
 }
+
+void testSolutionMetric()
+{
+  vtkNew<vtkSolutionMetric> filter;
+  checkPrints(filter,
+    { "SolutionArrays", "HessianArrays", "MetricArrays", "MetricOrder", "ErrorNorm",
+      "NumberOfPoints", "MinimumSize", "MaximumSize", "MaximumRatio", "ChordTolerance",
+      "DistanceArray", "DistanceSize", "DistanceGrowth", "NumberOfThreads", "SMPBackend" });
+  CHECK_EQUAL(filter->GetMetricOrder(), static_cast<int>(vtkSolutionMetric::METRIC_VTK));
+  CHECK_EQUAL(filter->GetErrorNorm(), static_cast<int>(vtkSolutionMetric::L2));
+  CHECK_EQUAL(filter->GetNumberOfPoints(), 10000);
+  CHECK_EQUAL(filter->GetMinimumSize(), 0.0);
+  CHECK_EQUAL(filter->GetMaximumSize(), 0.0);
+  CHECK_EQUAL(filter->GetMaximumRatio(), 1000.0);
+  CHECK_EQUAL(filter->GetChordTolerance(), 0.0);
+  CHECK(filter->GetDistanceArray() == nullptr);
+  CHECK_EQUAL(filter->GetDistanceSize(), 0.0);
+  CHECK_EQUAL(filter->GetDistanceGrowth(), 0.2);
+  filter->SetInputData(pointsAlone());
+  constexpr double any = VTK_DOUBLE_MAX;
+  CHECK_RANGE(filter, MetricOrder, 0, 2);
+  CHECK_RANGE(filter, ErrorNorm, 0, 3);
+  CHECK_RANGE(filter, NumberOfPoints, vtkIdType(1), vtkIdType(VTK_ID_MAX));
+  CHECK_RANGE(filter, MinimumSize, 0.0, any);
+  CHECK_RANGE(filter, MaximumSize, 0.0, any);
+  CHECK_RANGE(filter, MaximumRatio, 1.0, 1e6);
+  CHECK_RANGE(filter, ChordTolerance, 0.0, any);
+  CHECK_RANGE(filter, DistanceSize, 0.0, any);
+  CHECK_RANGE(filter, DistanceGrowth, 0.0, any);
+  CHECK_RANGE(filter, NumberOfThreads, 0, 1024);
+  CHECK_RANGE(filter, SMPBackend, 0, 3);
+  filter->SetMaximumSize(2.0);
+  CHECK_RANGE(filter, MinimumSize, 0.0, 2.0);
+}
+
+void testSpectralEmbedding()
+{
+  vtkNew<vtkSpectralEmbedding> filter;
+  checkPrints(filter, { "Dimension", "Scaling", "DiffusionTime", "MassMatrix", "BorderCondition" });
+  CHECK_EQUAL(filter->GetDimension(), 6);
+  CHECK_EQUAL(filter->GetScaling(), static_cast<int>(vtkSpectralEmbedding::COMMUTE_TIME));
+  CHECK_EQUAL(filter->GetDiffusionTime(), 0.0);
+  CHECK_EQUAL(filter->GetMassMatrix(), static_cast<int>(vtkSpectralEmbedding::LUMPED));
+  CHECK_EQUAL(filter->GetBorderCondition(), static_cast<int>(vtkSpectralEmbedding::NATURAL));
+  filter->SetInputData(pointsAlone());
+  CHECK_RANGE(filter, Dimension, 2, 100000);
+  CHECK_RANGE(filter, Scaling, 0, 3);
+  CHECK_RANGE(filter, DiffusionTime, 0.0, VTK_DOUBLE_MAX);
+  CHECK_RANGE(filter, MassMatrix, 0, 1);
+  CHECK_RANGE(filter, BorderCondition, 0, 1);
+}
 }
 
 int TestProperties(int, char*[])
@@ -271,6 +324,8 @@ int TestProperties(int, char*[])
   CHECK_RANGE(comparison, NumberOfBins, 1, 10000);
   CHECK_RANGE(comparison, NumberOfThreads, 0, 1024);
   CHECK_RANGE(comparison, SMPBackend, 0, 3);
+  testSolutionMetric();
+  testSpectralEmbedding();
   testModification();
   return result();
 }

@@ -45,12 +45,12 @@ def check_against_class(source, name):
     # Those with a Get method: connections and the embedding array have none.
     parameters = {m[3:] for m in set(dir(cls)) - set(dir(vtkPolyDataAlgorithm))
                   if m.startswith("Set") and hasattr(cls, "Get" + m[3:])}
-    assert "Anisotropy" in parameters
+    assert "NumberOfThreads" in parameters
     for parameter in sorted(parameters):
         prop = source.SMProxy.GetProperty(parameter)
         assert prop, f"{name}: no property for Set{parameter}"
         expected = getattr(fresh, "Get" + parameter)()
-        assert prop.GetElement(0) == expected, \
+        assert prop.GetElement(0) == ("None" if expected is None else expected), \
             f"{name}.{parameter}: {prop.GetElement(0)} in XML, {expected} in C++"
 
 
@@ -187,6 +187,28 @@ assert fetch(embedding).GetPointData().GetArray("Embedding").GetNumberOfComponen
 again = AnisotropicRemesher(Input=embedding, NumberOfPoints=150, LloydIterations=5,
                             EmbeddingArray="Embedding")
 check_diagram(again, 150)
+
+# --- The metric of a solution, used by the remesher ----------------------------------------------
+check_against_class(SolutionMetric(Input=sphere), "vtkSolutionMetric")
+bend = Calculator(Input=sphere, ResultArrayName="Bend", Function="tanh(20*coordsX)")
+metric = SolutionMetric(Input=bend, NumberOfPoints=150)
+assert list(metric.SolutionArrays) == [], list(metric.SolutionArrays)
+metric.SolutionArrays = ["Bend"]
+assert fetch(metric).GetPointData().GetArray("Metric").GetNumberOfComponents() == 6
+wanted = fetch(metric).GetFieldData().GetArray("MetricPoints").GetTuple1(0)
+assert abs(wanted - 150) < 0.1, wanted
+across = AnisotropicRemesher(Input=metric, NumberOfPoints=150, LloydIterations=5,
+                             MetricArray="Metric")
+check_diagram(across, 150)
+
+# --- Eigenfunctions as an embedding ---------------------------------------------------------------
+check_against_class(SpectralEmbedding(Input=sphere), "vtkSpectralEmbedding")
+functions = SpectralEmbedding(Input=sphere, Dimension=3, Scaling="None")
+values = fetch(functions).GetFieldData().GetArray("Eigenvalues")
+radius = mean_radius(fetch(sphere))
+assert all(abs(values.GetTuple1(k) * radius ** 2 - 2.0) < 0.1 for k in range(3))
+check_diagram(AnisotropicRemesher(Input=functions, NumberOfPoints=150, LloydIterations=5,
+                                  EmbeddingArray="Embedding"), 150)
 
 diagram = RestrictedVoronoiDiagram(Input=sphere, Sites=OutputPort(remesher, 2))
 check_against_class(diagram, "vtkRestrictedVoronoiDiagram")

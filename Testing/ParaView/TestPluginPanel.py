@@ -27,6 +27,13 @@ NAMES = {
         "NumberOfPoints", "PreserveFeatures", "SamplingMethod", "Seed"},
     "RestrictedVoronoiDiagram": DIAGRAM | {"Sites"},
     "GaussMapEmbedding": EMBEDDED | {"NumberOfPoints"},
+    "SolutionMetric": {
+        "ChordTolerance", "DistanceArray", "DistanceGrowth", "DistanceSize", "ErrorNorm",
+        "HessianArrays", "Input", "MaximumRatio", "MaximumSize", "MetricArrays", "MetricOrder",
+        "MinimumSize", "NumberOfPoints", "NumberOfThreads", "SMPBackend", "SolutionArrays"},
+    "SpectralEmbedding": {
+        "BorderCondition", "DiffusionTime", "Dimension", "Input", "MassMatrix", "NumberOfThreads",
+        "SMPBackend", "Scaling"},
     "SurfaceMeshComparison": {"BoundMaximumDistance", "Input", "NumberOfBins", "NumberOfSamples",
                               "NumberOfThreads", "Reference", "SMPBackend"}}
 SLIDERS = {"Anisotropy": (0.0, 0.2), "FeatureAngle": (0.0, 180.0)}

@@ -256,6 +256,48 @@ class TestOtherFormats(FilesTest):
         self.assertEqual(words[4:4 + 180], sum(obj[:60], []))
         self.assertEqual(self.read_in("a.off", content(self.path("a.off"))).GetNumberOfPolys(), 116)
 
+    MESH = ("MeshVersionFormatted 2\nDimension\n3\n# a comment\nVertices 8\n"
+            + "".join("%d %d %d 0\n" % corner for corner in CORNERS)
+            + "Edges 1\n1 2 7\nQuadrilaterals\n6\n"
+            + "".join("%d %d %d %d %d\n" % (*(k + 1 for k in side), i)
+                      for i, side in enumerate(SIDES))
+            + "RequiredEdges 1\n1\nEnd\n")
+
+    def test_mesh(self):
+        """Sections in any order of lines, references, a .sol of the same name."""
+        self.save("box.sol", ("MeshVersionFormatted 2 Dimension 3\nSolAtVertices 8 2 3 1\n"
+                              + "11 12 22 13 23 33 5\n" * 8 + "End\n").encode())
+        surface = self.read_box("box.mesh", self.MESH)
+        self.assertEqual(surface.GetNumberOfPoints(), 8)
+        references = surface.GetCellData().GetArray("Reference")
+        self.assertEqual(sorted(vtk_to_numpy(references)), list(range(6)))
+        self.assertEqual(surface.GetPointData().GetArray("Metric").GetTuple(3),
+                         (11.0, 22.0, 33.0, 12.0, 23.0, 13.0))
+        self.assertEqual(surface.GetPointData().GetArray("Solution1").GetTuple(7), (5.0,))
+        for pattern, text in (("ends too early", self.MESH[:60]),
+                              ("for its first word", "OFF\n" + self.MESH),
+                              ("'9' for a corner", self.MESH.replace("\n6\n", "\n6\n9 ")),
+                              ("for a coordinate", self.MESH.replace("8\n", "8\nnan ", 1))):
+            with self.subTest(pattern=pattern):
+                self.fail_with(1, pattern, self.save("wrong.mesh", text.encode()), "out2.vtp")
+        self.save("few.sol", b"MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n7\n1 1\n")
+        self.fail_with(1, "not that of the mesh", self.save("few.mesh", self.MESH.encode()),
+                       "out2.vtp")
+
+    def test_mesh_is_written(self):
+        self.succeed(self.input(), "a.mesh", *SMALL)
+        self.succeed(self.input(), "b.obj", *SMALL)
+        words = content(self.path("a.mesh")).split()
+        self.assertEqual(words[:6], [b"MeshVersionFormatted", b"2", b"Dimension", b"3",
+                                     b"Vertices", b"60"])
+        obj = [line.split()[1:] for line in content(self.path("b.obj")).splitlines()]
+        self.assertEqual(words[6:246], sum(([*point, b"0"] for point in obj[:60]), []))
+        self.assertEqual(words[246:248], [b"Triangles", b"116"])
+        self.assertEqual(words[248:-1], sum(([*triangle, b"0"] for triangle in obj[60:]), []))
+        self.assertEqual(words[-1], b"End")
+        again = self.read_in("a.mesh", content(self.path("a.mesh")))
+        self.assertEqual(again.GetNumberOfPolys(), 116)
+
     def test_vtu(self):
         grid = vtkUnstructuredGrid()
         surface = sphere()

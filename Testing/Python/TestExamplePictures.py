@@ -119,6 +119,22 @@ class TestExamplePictures(unittest.TestCase):
         lloyd, newton = [numbers(row)[1] for row in text.splitlines()]
         self.assertLess(newton, lloyd)
 
+    def test_adaptation(self):
+        """The error of adapted meshes is a fraction of that of even ones, and falls like 1 / N."""
+        arguments = ("adaptation", "--points", "1600")
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            text = run(*arguments)
+        else:
+            text = self.draw(*arguments)
+        front, wave = numpy.array([numbers(row.split("times")[1]) for row in text.splitlines()]
+                                  ).reshape(2, 5, 2)
+        self.assertLess(front[1:, 1].max(), 0.45)
+        self.assertLess(front[-1, 1], 0.33)
+        self.assertLess(wave[1:, 1].max() / wave[1:, 1].min(), 1.5)
+        self.assertTrue((wave[1:, 1] < 0.8 * wave[1:, 0]).all())
+
     def test_threads(self):
         self.assertIn("All meshes are the same", run("threads", "--points", "500"))
 

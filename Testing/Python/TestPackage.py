@@ -48,7 +48,7 @@ class TestPackage(unittest.TestCase):
     def test_names(self):
         from anisotropic_remeshing import vtkFiltersAnisotropicRemeshing as module
 
-        self.assertEqual(len(CLASSES), 7)
+        self.assertEqual(len(CLASSES), 10)
         for name in ar.__all__:
             self.assertTrue(hasattr(ar, name), name)
         for name in CLASSES:
@@ -69,7 +69,8 @@ class TestPackage(unittest.TestCase):
                 for member, value in inspect.getmembers(public):
                     if not member.startswith("_") and isinstance(value, property):
                         self.assertTrue(value.__doc__, f"{name}.{member}")
-        for function in (ar.remesh, ar.voronoi, ar.compare, ar.embed):
+        for function in (ar.remesh, ar.voronoi, ar.compare, ar.embed, ar.metric_from_solution,
+                         ar.spectral_embedding):
             for part in ("Parameters\n", "Returns\n", "Notes\n"):
                 self.assertIn(part, inspect.getdoc(function), function.__name__)
 
@@ -132,7 +133,9 @@ class TestPackage(unittest.TestCase):
 
     def test_html_of_others(self):
         source = vtkSphereSource()
-        for result in (ar.compare(source), ar.embed(source), ar.voronoi(source, [[0, 0, 1.0]])):
+        for result in (ar.compare(source), ar.embed(source), ar.voronoi(source, [[0, 0, 1.0]]),
+                       ar.metric_from_solution(source, chord_tolerance=0.01),
+                       ar.spectral_embedding(source)):
             self.assertIn("<table>", result._repr_html_())
 
 

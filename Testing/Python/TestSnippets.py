@@ -328,6 +328,9 @@ class TestGuide(unittest.TestCase):
                                                            re.MULTILINE | re.DOTALL)}
         own = {f"Port {port}": [run._outputs[port] for run in runs] for port in range(5)}
         own["The comparison"] = compared._outputs
+        own["Eigenfunctions"] = ar.spectral_embedding(surface)._outputs
+        metric = ar.metric_from_solution(surface, "Temperature", 200)
+        own["The metric of a solution"] = metric._outputs
         carried = dict.fromkeys(own, self.names_of(surface))
         carried["The comparison"] = self.names_of(plain_run.mesh, field=False)
         for title, outputs in own.items():
