@@ -67,6 +67,7 @@ remesh::Status vtkAnisotropicRemesher::CheckParameters()
   remesh::ParameterCheck check;
   check.within("DistanceTolerance", this->DistanceTolerance, 0.0, VTK_DOUBLE_MAX)
     .within("MaximumNumberOfPoints", this->MaximumNumberOfPoints, 4, VTK_ID_MAX)
+    .within("MetricComplexity", this->MetricComplexity, 0.0, VTK_DOUBLE_MAX)
     .within("FeatureAngle", this->FeatureAngle, 0.0, 180.0)
     .within("MaximumNumberOfExtraPoints", this->MaximumNumberOfExtraPoints, ONE_PERCENT, VTK_ID_MAX)
     .within("SamplingMethod", this->SamplingMethod, RANDOM, STRATIFIED)
@@ -88,7 +89,14 @@ int vtkAnisotropicRemesher::RequestWhole(
                                         : this->NumberOfPoints;
   const bool isEmpty = remesh::checkForPolygons(vtkPolyData::GetData(inputVector[0])).code ==
     remesh::StatusCode::EmptyInput;
-  if (points < 4 && !isTolerance && !isEmpty)
+  if (this->UnitEdges && (isTolerance || initialSites))
+  {
+    vtkErrorMacro("UnitEdges and a distance tolerance or initial sites both decide the number of "
+                  "points: choose one.");
+    remesh::emptyPorts(outputVector);
+    return 0;
+  }
+  if (points < 4 && !isTolerance && !isEmpty && !this->UnitEdges)
   {
     vtkErrorMacro("A mesh needs at least 4 points; "
       << points << (initialSites ? " initial sites were given." : " were asked for."));
@@ -101,6 +109,7 @@ int vtkAnisotropicRemesher::RequestWhole(
   const bool isOnePercent = this->MaximumNumberOfExtraPoints == ONE_PERCENT;
   request.tolerance = { isTolerance ? this->DistanceTolerance : 0.0,
     this->DistanceToleranceIsAbsolute, this->MaximumNumberOfPoints, isOnePercent };
+  request.unit = { this->UnitEdges, this->MetricComplexity };
   remesh::RemeshOptions& options = request.options;
   options.exactNumber = request.preparation.preserveFeatures;
   options.numberOfSites = this->NumberOfPoints;
@@ -129,6 +138,8 @@ void vtkAnisotropicRemesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "UnitEdges: " << this->UnitEdges << "\n";
+  os << indent << "MetricComplexity: " << this->MetricComplexity << "\n";
   os << indent << "DistanceTolerance: " << this->DistanceTolerance << "\n";
   os << indent << "DistanceToleranceIsAbsolute: " << this->DistanceToleranceIsAbsolute << "\n";
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";

@@ -98,6 +98,27 @@ public:
 
   ///@{
   /**
+   * Whether a metric (`MetricArray`) decides the number of points, too: as many as give edges of
+   * the mean length 1 in it, 2/sqrt 3 times its area and half of its border's length. Default off:
+   * `NumberOfPoints` as asked for, and edges have the metric's lengths times one number. Without a
+   * metric, or with a distance tolerance or initial sites, an error.
+   */
+  vtkSetMacro(UnitEdges, bool);
+  vtkGetMacro(UnitEdges, bool);
+  vtkBooleanMacro(UnitEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * With `UnitEdges`, the area that the metric is scaled to, as it is given, in squares of unit
+   * lengths: 0.87 times about as many points. From 0; default 0: it is not scaled.
+   */
+  vtkSetMacro(MetricComplexity, double);
+  vtkGetMacro(MetricComplexity, double);
+  ///@}
+
+  ///@{
+  /**
    * How far mesh and surface may be from each other at most, both ways; then as many points are
    * taken as that needs, and `NumberOfPoints` does not count. Fraction of the bounding-box
    * diagonal, 1e-4 to 1e-2 as a rule, or with `DistanceToleranceIsAbsolute` (default off) in the
@@ -304,6 +325,8 @@ private:
   void operator=(const vtkAnisotropicRemesher&) = delete;
 
   vtkIdType NumberOfPoints = 10000;
+  bool UnitEdges = false;
+  double MetricComplexity = 0.0;
   double DistanceTolerance = 0.0;
   bool DistanceToleranceIsAbsolute = false;
   vtkIdType MaximumNumberOfPoints = 1000000;

@@ -116,6 +116,7 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::CheckParameters()
     .within("MergeTolerance", this->MergeTolerance, 0.0, 0.1)
     .within("MetricOrder", this->MetricOrder, METRIC_VTK, METRIC_SOL)
     .within("MetricDimension", this->MetricDimension, 3, remesh::mostEmbeddingDimensions)
+    .within("MetricGrowth", this->MetricGrowth, 1.01, 1000.0)
     .within("NumberOfThreads", this->NumberOfThreads, 0, 1024)
     .within("SMPBackend", this->SMPBackend, SMP_AUTOMATIC, SMP_TBB);
   return check.status();
@@ -234,6 +235,8 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::vtkInternals::MakeRequest(
   request.mergeTolerance = self->MergeTolerance;
   request.metricOrder = static_cast<remesh::TensorOrder>(self->MetricOrder);
   request.metricDimension = self->MetricDimension;
+  request.limitMetric = self->LimitMetric;
+  request.metricGrowth = self->MetricGrowth;
   remesh::Status status = FindArrays(self, input, request);
   return status.ok() && request.metric && (request.embedding || !request.coordinates.empty())
     ? remesh::Status::invalid(
@@ -284,6 +287,8 @@ void vtkEmbeddedSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "MetricOrder: " << this->MetricOrder << "\n";
   os << indent << "MetricDimension: " << this->MetricDimension << "\n";
+  os << indent << "LimitMetric: " << this->LimitMetric << "\n";
+  os << indent << "MetricGrowth: " << this->MetricGrowth << "\n";
   os << indent << "CoordinateArrays: " << this->GetNumberOfCoordinateArrays() << "\n";
   for (const auto& [name, scale] : this->Internals->CoordinateArrays)
   {

@@ -162,16 +162,17 @@ public:
    * A point array of tensors, a metric: input array to process 5. nullptr, "" or "None": none
    * (default). An edge e is to have the length sqrt(e' M e), so where a metric's eigenvalue is
    * 1/h^2, edges along its eigenvector are to have the length h, or all edges h times one number:
-   * the number of points decides. The surface is embedded in R^d (`MetricDimension`) so that lengths
-   * along it there are those in the metric; that replaces the embedding, and cannot be combined
-   * with an embedding array or coordinate arrays.
+   * the number of points decides. The surface is embedded in R^d (`MetricDimension`) so that
+   * lengths along it there are those in the metric; that replaces the embedding, and cannot be
+   * combined with an embedding array or coordinate arrays.
    *
-   * 9 components, row by row; 6, in the order of `MetricOrder`; 3, for a surface in a plane of equal
-   * z; or 1, a size h. The part along the surface counts alone, and must be finite, symmetric and
-   * positive definite at all points that polygons use, else an error names the first point. The
-   * triangles of the surface should be smaller than the edges that are asked for. Where the metric
-   * turns or grows faster than they can follow it is not met; that on a tenth of the surface gives
-   * a warning.
+   * 9 components, row by row; 6, in the order of `MetricOrder`; 3, for a surface in a plane of
+   * equal z; or 1, a size h. The part along the surface counts alone, and must be finite, symmetric
+   * and positive definite at all points that polygons use, else an error names the first point.
+   * Between points its logarithm is linear. vtkAnisotropicRemesher splits the triangles of the
+   * surface where they are longer than half of the edges that are asked for; but where the metric
+   * changes a lot from one point to the next, more points are needed to tell what it is between
+   * them. Where it is not met on a tenth of the surface, a warning says so.
    *
    * Takes about as long as the remeshing, and the memory of a factor of a matrix of the points
    * (500 MB for a million).
@@ -196,6 +197,29 @@ public:
    */
   vtkSetMacro(MetricDimension, int);
   vtkGetMacro(MetricDimension, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a metric is limited to what straight edges can follow. Default on. Where it turns,
+   * grows or bends within the length of an edge, as a thin layer that is curved, edges get the
+   * lengths that they have on average along them: a chord of a layer leaves it by its sagitta, and
+   * is shortened until it is as long as it should be. Then `MetricGrowth` limits it, too. The field
+   * data of the mesh tell by how much sizes were made smaller (`MetricLimit`).
+   */
+  vtkSetMacro(LimitMetric, bool);
+  vtkGetMacro(LimitMetric, bool);
+  vtkBooleanMacro(LimitMetric, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The gradation of a metric: the largest factor between sizes at the ends of an edge, in any
+   * direction, 1.01 to 1000, default 5. Where a metric grows or turns faster, sizes become smaller.
+   * Only with `LimitMetric`.
+   */
+  vtkSetMacro(MetricGrowth, double);
+  vtkGetMacro(MetricGrowth, double);
   ///@}
 
   ///@{
@@ -254,6 +278,8 @@ private:
   double MergeTolerance = 0.0;
   int MetricOrder = METRIC_VTK;
   int MetricDimension = 6;
+  bool LimitMetric = true;
+  double MetricGrowth = 5.0;
   int NumberOfThreads = 0;
   int SMPBackend = SMP_AUTOMATIC;
 };

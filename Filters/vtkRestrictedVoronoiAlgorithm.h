@@ -44,6 +44,10 @@
  * - `RMSDistance`, likewise: the root of the mean of both mean squares;
  * - `NormalSmoothingRadius`: the distance over which estimated normals were smoothed, 0 if they
  * were not. Absent where none are estimated, none count, or passes were asked for.
+ * - with a metric `MetricUnit`: the length in it that edges have, for that many points;
+ *   `MetricLimit`: the largest factor by which a size was made smaller, 1: none;
+ *   `MetricShare`: the share of the area where edges can have the metric's lengths to a factor of
+ *   sqrt 2.
  *
  * `TopologyPreserved` is 1 only where it is proven that the mesh is homeomorphic to the surface:
  * from the diagram, whose cells must be disks that meet in segments and points (the closed ball

@@ -46,6 +46,10 @@ struct Options
   std::string EmbeddingArray;
   std::string Metric; // point array; "": none
   std::string MetricOrder = "vtk";
+  double MetricGrowth = 5.0;
+  bool LimitMetric = true;
+  bool Unit = false;       // the metric decides the number of points
+  double Complexity = 0.0; // area that the metric is scaled to; 0: as it is
   std::vector<CoordinateArray> Coordinates;
   std::string InitialSites;
   double MergeTolerance = 0.0; // fraction of the bounding-box diagonal

@@ -257,6 +257,17 @@ void OptionTable::AddEmbedding()
   this->AddChoice("--metric-order", "O", &Options::MetricOrder, { "vtk", "rows", "sol" },
     "What 6 components of a metric are: 'vtk': XX YY ZZ XY YZ XZ; 'rows': XX XY XZ YY YZ ZZ; "
     "'sol': XX XY YY XZ YZ ZZ. Default vtk.");
+  this->AddFlag("--unit", &Options::Unit, true,
+    "With --metric: as many points as make edges of mean length 1 in it, instead of --points.");
+  this->Add("--complexity", "A",
+    "As --unit, with the metric scaled so that its area is A: about 1.15 times as many points. "
+    "Default 0: off.",
+    Real(&Options::Complexity, 0.0, std::numeric_limits<double>::max()));
+  this->Add("--metric-growth", "F",
+    "The largest factor between sizes of a metric at the ends of an edge, 1.01 to 1000. Default 5.",
+    Real(&Options::MetricGrowth, 1.01, 1000.0));
+  this->AddFlag("--no-metric-limit", &Options::LimitMetric, false,
+    "Take a metric as it is, also where straight edges cannot follow it.");
   this->AddCoordinates();
   this->Add("--merge-tolerance", "T",
     "Merge input points closer than this fraction of the bounding-box diagonal, 0 to 0.1. "

@@ -104,6 +104,8 @@ void SetEmbedding(vtkEmbeddedSurfaceAlgorithm* filter, const Options& options)
     filter->SetMetricOrder(options.MetricOrder == "rows" ? vtkEmbeddedSurfaceAlgorithm::METRIC_ROWS
         : options.MetricOrder == "sol"                   ? vtkEmbeddedSurfaceAlgorithm::METRIC_SOL
                                                          : vtkEmbeddedSurfaceAlgorithm::METRIC_VTK);
+    filter->SetLimitMetric(options.LimitMetric);
+    filter->SetMetricGrowth(options.MetricGrowth);
   }
   for (const CoordinateArray& coordinates : options.Coordinates)
   {
@@ -116,6 +118,8 @@ void SetEmbedding(vtkEmbeddedSurfaceAlgorithm* filter, const Options& options)
 void SetRemeshing(vtkAnisotropicRemesher* remesher, const Options& options)
 {
   remesher->SetNumberOfPoints(options.NumberOfPoints);
+  remesher->SetUnitEdges(options.Unit || options.Complexity > 0.0);
+  remesher->SetMetricComplexity(options.Complexity);
   remesher->SetDistanceTolerance(options.Tolerance);
   remesher->SetMaximumNumberOfPoints(options.MaximumPoints);
   remesher->SetPreserveFeatures(options.PreserveFeatures);

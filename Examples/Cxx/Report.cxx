@@ -45,7 +45,9 @@ Json ParametersOf(const Options& options)
     { "dimension", options.Dimension }, { "normals", options.Normals },
     { "normal_smoothing", options.NormalSmoothingPasses },
     { "embedding_array", options.EmbeddingArray }, { "metric", options.Metric },
-    { "metric_order", options.MetricOrder }, { "coordinates", coordinates },
+    { "metric_order", options.MetricOrder }, { "metric_growth", options.MetricGrowth },
+    { "limit_metric", options.LimitMetric }, { "unit", options.Unit },
+    { "complexity", options.Complexity }, { "coordinates", coordinates },
     { "initial_sites", options.InitialSites }, { "merge_tolerance", options.MergeTolerance } };
 }
 

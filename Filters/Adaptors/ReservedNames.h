@@ -27,7 +27,8 @@ inline constexpr Names meshPointNames = { "SiteId", "ComponentId", "CellColor", 
 /** Field arrays of a diagram filter's mesh, which no other port has. */
 inline constexpr Names meshFactNames = { "NumberOfFlippedTriangles", "NumberOfNonManifoldEdges",
   "NumberOfStrayTriangles", "EulerCharacteristic", "TopologyPreserved", "NumberOfExtraPoints",
-  "Seed", "NormalSmoothingRadius", "MaximumDistance", "RMSDistance" };
+  "Seed", "NormalSmoothingRadius", "MaximumDistance", "RMSDistance", "MetricUnit", "MetricLimit",
+  "MetricShare" };
 
 /** Cell arrays of a compared mesh. */
 inline constexpr Names comparedCellNames = { "Quality", "MinimumAngle", "RadiusRatio", "EdgeRatio",

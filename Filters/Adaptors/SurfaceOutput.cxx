@@ -142,6 +142,12 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
     columns.add<vtkDoubleArray>(
       "NormalSmoothingRadius", [&](Offset) { return *source.prepared.smoothingRadius; });
   }
+  if (const std::optional<MetricFit>& fit = source.prepared.metricFit)
+  {
+    columns.add<vtkDoubleArray>("MetricUnit", [&](Offset) { return fit->unit; });
+    columns.add<vtkDoubleArray>("MetricLimit", [&](Offset) { return fit->limit; });
+    columns.add<vtkDoubleArray>("MetricShare", [&](Offset) { return fit->within; });
+  }
   if (const std::optional<TwoSidedDistance>& distance = result.distance)
   {
     columns.add<vtkDoubleArray>("MaximumDistance",

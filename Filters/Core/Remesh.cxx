@@ -135,7 +135,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
     &task.wholeSurface(control) };
   const VertexPlacement way = task.options.placement;
   Status status = Status::success();
-  if (task.features && (way == VertexPlacement::Fit || way == VertexPlacement::HeldFit))
+  if (task.features && way >= VertexPlacement::Fit)
   {
     status = placeOnFeatures(task, problem, control.silent(), result);
   }

@@ -24,6 +24,9 @@ _FIELD_FACTS = [
     "NumberOfStrayTriangles",
     "NumberOfNonManifoldEdges",
     "NormalSmoothingRadius",
+    "MetricUnit",
+    "MetricLimit",
+    "MetricShare",
     "Seed",
 ]
 _RUN_FACTS = [
@@ -68,6 +71,8 @@ def remesh(
     seams: Any = "automatic",
     maximum_extra_points: Union[None, int, float] = None,
     vertex_placement: str = "fit",
+    unit: bool = False,
+    complexity: float = 0.0,
     # how the surface is embedded
     density: Any = None,
     normals: Any = None,
@@ -80,6 +85,8 @@ def remesh(
     metric: Any = None,
     metric_order: str = "vtk",
     metric_dimension: int = 6,
+    limit_metric: bool = True,
+    metric_growth: float = 5.0,
     merge_tolerance: float = 0.0,
     # how it runs
     initial_sites: Any = None,
@@ -155,6 +162,12 @@ def remesh(
     metric_order, metric_dimension : "vtk", "rows" or "sol"; int, 3 to 16
         What (n, 6) are: XX YY ZZ XY YZ XZ, or XX XY XZ YY YZ ZZ, or XX XY YY XZ YZ ZZ. The
         dimension that the metric is embedded in, default 6.
+    limit_metric, metric_growth : bool; float, 1.01 to 1000
+        Whether a metric is limited to what straight edges can follow (default), and then by what
+        factor sizes may differ between the ends of an edge, default 5.
+    unit, complexity : bool; float from 0
+        Whether the metric decides the number of points, so that edges have the mean length 1 in it;
+        the area that it is scaled to before, in squares of units, default 0: as it is.
     embedding_mode : "gauss_map" or "position"
         "position" is as `anisotropy` 0.
     merge_tolerance : float, 0 to 0.1
@@ -245,6 +258,8 @@ def voronoi(
     metric: Any = None,
     metric_order: str = "vtk",
     metric_dimension: int = 6,
+    limit_metric: bool = True,
+    metric_growth: float = 5.0,
     merge_tolerance: float = 0.0,
     threads: int = 0,
     backend: str = "automatic",
@@ -378,6 +393,8 @@ def embed(
     metric: Any = None,
     metric_order: str = "vtk",
     metric_dimension: int = 6,
+    limit_metric: bool = True,
+    metric_growth: float = 5.0,
     merge_tolerance: float = 0.0,
     threads: int = 0,
     backend: str = "automatic",

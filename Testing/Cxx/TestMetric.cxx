@@ -204,6 +204,104 @@ void testSizes()
   CHECK_NEAR(fine / 1500.0, 0.8, 0.03);
 }
 
+void checkError(vtkAlgorithm* filter, const std::string& part, int line)
+{
+  Messages messages(filter);
+  filter->Update();
+  const auto& errors = messages.errors();
+  check(errors.size() == 1 && errors[0].find(part) != std::string::npos, __FILE__, line,
+    part + ": " + (errors.empty() ? "none" : errors[0]));
+  CHECK(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints() == 0);
+}
+
+/** The mean length of edges in the metric. */
+double meanLength(vtkPolyData* mesh, const Tensor& tensor)
+{
+  double sum = 0.0;
+  vtkIdType count = 0;
+  auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point3 start = pointOf(mesh, ids[k]);
+      const Point3 edge = pointOf(mesh, ids[(k + 1) % 3]) - start;
+      sum += std::sqrt(edge.dot(tensor(start + 0.5 * edge) * edge));
+      ++count;
+    }
+  }
+  return sum / static_cast<double>(count);
+}
+
+/** The metric decides the number of points; so does the area that it is scaled to. */
+void testUnit()
+{
+  const auto input = polyDataOf(gridPatch(80, 80));
+  addMetric(input, layer);
+  const auto filter = remesherOf(input, 7);
+  filter->UnitEdgesOn();
+  filter->Update();
+  const vtkIdType number = filter->GetOutput()->GetNumberOfPoints();
+  const double mean = meanLength(filter->GetOutput(), layer);
+  check(std::abs(mean - 1.0) < 0.03, __FILE__, __LINE__, "mean " + std::to_string(mean));
+  CHECK_NEAR(fact(filter->GetOutput(), "MetricUnit"), 1.0, 1e-12);
+  // The sizes of the layer, integrated over the square; plus half of the border.
+  double area = 0.0;
+  constexpr int steps = 400;
+  for (int i = 0; i < steps * steps; ++i)
+  {
+    const Point3 p((i / steps + 0.5) / steps, (i % steps + 0.5) / steps, 0.0);
+    area += std::sqrt(layer(p).topLeftCorner<2, 2>().determinant()) / (steps * steps);
+  }
+  double border = 0.0;
+  for (int i = 0; i < 4 * steps; ++i)
+  {
+    const double t = (i % steps + 0.5) / steps;
+    const int side = i / steps;
+    const Point3 p = side < 2 ? Point3(t, side, 0.0) : Point3(side - 2.0, t, 0.0);
+    border += std::sqrt(layer(p)(side < 2 ? 0 : 1, side < 2 ? 0 : 1)) / steps;
+  }
+  CHECK_NEAR(number / (2.0 / std::sqrt(3.0) * area + 0.5 * border), 1.0, 0.05);
+
+  filter->SetMetricComplexity(400.0);
+  filter->Update();
+  CHECK_NEAR(fact(filter->GetOutput(), "MetricUnit"), std::sqrt(area / 400.0), 0.02);
+  CHECK(filter->GetOutput()->GetNumberOfPoints() > 2.0 / std::sqrt(3.0) * 400.0);
+
+  filter->SetMetricArray(nullptr);
+  checkError(filter, "UnitEdges needs a metric", __LINE__);
+  filter->SetMetricArray("Metric");
+  filter->SetDistanceTolerance(0.01);
+  checkError(filter, "both decide the number of points", __LINE__);
+}
+
+/** A layer along a circle, thinner than the sagitta of the edges that are asked for along it. */
+void testLimits()
+{
+  const auto ring = [](const Point3& p) -> Eigen::Matrix3d
+  {
+    const Point3 out = p.norm() > 0.0 ? p.normalized() : Point3(Point3::UnitX());
+    const Point3 around(-out[1], out[0], 0.0);
+    const double size = std::min(0.1, 0.001 + 0.3 * std::abs(p.norm() - 0.6));
+    return out * out.transpose() / (size * size) + around * around.transpose() / 0.01;
+  };
+  const auto input = polyDataOf(gridPatch(120, 120));
+  addMetric(input, ring);
+  const auto filter = remesherOf(input, 500);
+  filter->Update();
+  const double limited = unitShare(filter->GetOutput(), ring);
+  CHECK(fact(filter->GetOutput(), "MetricLimit") > 1.1);
+  check(limited > 0.97, __FILE__, __LINE__, "limited " + std::to_string(limited));
+  filter->LimitMetricOff();
+  filter->Update();
+  CHECK_NEAR(fact(filter->GetOutput(), "MetricLimit"), 1.0, 0.0);
+  const double free = unitShare(filter->GetOutput(), ring);
+  check(free < limited - 0.005, __FILE__, __LINE__, "share " + std::to_string(free));
+}
+
 /** The embedding that the remesher works on has the metric's lengths. */
 void testEmbedding()
 {
@@ -229,16 +327,6 @@ void testEmbedding()
     worst = std::max(worst, std::abs(std::sqrt(squared / edge.dot(gentle(middle) * edge)) - 1.0));
   }
   check(worst < 0.2, __FILE__, __LINE__, "worst " + std::to_string(worst));
-}
-
-void checkError(vtkAlgorithm* filter, const std::string& part, int line)
-{
-  Messages messages(filter);
-  filter->Update();
-  const auto& errors = messages.errors();
-  check(errors.size() == 1 && errors[0].find(part) != std::string::npos, __FILE__, line,
-    part + ": " + (errors.empty() ? "none" : errors[0]));
-  CHECK(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints() == 0);
 }
 
 void testErrors()
@@ -309,6 +397,8 @@ int TestMetric(int, char*[])
   testComponents();
   testSizes();
   testEmbedding();
+  testUnit();
+  testLimits();
   testErrors();
   testWarning();
   return result();

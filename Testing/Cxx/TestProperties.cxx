@@ -39,15 +39,17 @@ void checkPrints(vtkObject* object, const std::vector<const char*>& names)
 
 const std::vector<const char*> ofSurfaces = { "EmbeddingMode", "Anisotropy", "EstimateNormals",
   "NormalSmoothingPasses", "NormalSmoothingRadius", "MergeTolerance", "CoordinateArrays",
-  "NumberOfThreads", "SMPBackend", "NumberOfInputComponents", "NumberOfDroppedTriangles",
-  "NumberOfMergedPoints", "UsedBackend", "NumberOfUsedThreads" };
+  "MetricOrder", "MetricDimension", "LimitMetric", "MetricGrowth", "NumberOfThreads", "SMPBackend",
+  "NumberOfInputComponents", "NumberOfDroppedTriangles", "NumberOfMergedPoints", "UsedBackend",
+  "NumberOfUsedThreads" };
 const std::vector<const char*> ofDiagrams = { "VertexPlacement", "GenerateVoronoiCells",
   "GenerateEdges", "MeasureDistance", "MaximumCellEmbeddingDimension", "Dimension",
   "NumberOfIterations", "NumberOfEvaluations", "Energy", "TopologyReport" };
 const std::vector<const char*> ofRemesher = { "NumberOfPoints", "SamplingMethod", "CoarseStart",
   "Seed", "NumberOfLloydIterations", "NumberOfNewtonIterations", "HistoryLength",
   "GradientTolerance", "EnergyTolerance", "MaximumNumberOfExtraPoints", "DistanceTolerance",
-  "DistanceToleranceIsAbsolute", "MaximumNumberOfPoints", "PreserveFeatures", "FeatureAngle" };
+  "DistanceToleranceIsAbsolute", "MaximumNumberOfPoints", "PreserveFeatures", "FeatureAngle",
+  "UnitEdges", "MetricComplexity" };
 
 /**
  * A value out of the range is kept, and is an error that names the property, the value and what is
@@ -118,6 +120,8 @@ void testSurfaceProperties(vtkEmbeddedSurfaceAlgorithm* filter)
   CHECK_EQUAL(filter->GetNormalSmoothingPasses(), -1);
   CHECK_EQUAL(filter->GetNormalSmoothingRadius(), -1.0);
   CHECK_EQUAL(filter->GetMergeTolerance(), 0.0);
+  CHECK_EQUAL(filter->GetLimitMetric(), true);
+  CHECK_EQUAL(filter->GetMetricGrowth(), 5.0);
   CHECK_EQUAL(filter->GetNumberOfCoordinateArrays(), 0);
   CHECK_EQUAL(filter->GetNumberOfThreads(), 0);
   CHECK_EQUAL(filter->GetSMPBackend(), static_cast<int>(Algorithm::SMP_AUTOMATIC));
@@ -139,6 +143,7 @@ void testSurfaceProperties(vtkEmbeddedSurfaceAlgorithm* filter)
   CHECK_RANGE(filter, NormalSmoothingPasses, -1, 10000);
   CHECK_RANGE(filter, NormalSmoothingRadius, -1.0, VTK_DOUBLE_MAX);
   CHECK_RANGE(filter, MergeTolerance, 0.0, 0.1);
+  CHECK_RANGE(filter, MetricGrowth, 1.01, 1000.0);
   CHECK_RANGE(filter, NumberOfThreads, 0, 1024);
   CHECK_RANGE(filter, SMPBackend, 0, 3);
 
@@ -207,6 +212,8 @@ void testRemesher()
   CHECK_EQUAL(filter->GetDistanceToleranceIsAbsolute(), false);
   CHECK_EQUAL(filter->GetMaximumNumberOfPoints(), 1000000);
   CHECK_EQUAL(filter->GetPreserveFeatures(), true);
+  CHECK_EQUAL(filter->GetUnitEdges(), false);
+  CHECK_EQUAL(filter->GetMetricComplexity(), 0.0);
   CHECK_EQUAL(filter->GetFeatureAngle(), 35.0);
   testSurfaceProperties(filter);
   testDiagramProperties(filter);
@@ -219,6 +226,7 @@ void testRemesher()
   CHECK_RANGE(filter, NumberOfNewtonIterations, 0, 100000);
   CHECK_RANGE(filter, DistanceTolerance, 0.0, VTK_DOUBLE_MAX);
   CHECK_RANGE(filter, MaximumNumberOfPoints, vtkIdType(4), vtkIdType(VTK_ID_MAX));
+  CHECK_RANGE(filter, MetricComplexity, 0.0, VTK_DOUBLE_MAX);
   CHECK_RANGE(filter, FeatureAngle, 0.0, 180.0);
   CHECK_RANGE(filter, HistoryLength, 1, 100);
   CHECK_RANGE(filter, GradientTolerance, 0.0, 1.0);

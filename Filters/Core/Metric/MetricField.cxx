@@ -14,39 +14,11 @@ namespace remesh
 {
 namespace
 {
-constexpr double cosineOfCrease = 0.766; // 40 degrees, above which tangent planes are not turned
-
-/** Two orthonormal vectors of a facet's plane, the first along its first edge. */
-struct Basis
-{
-  Point3 x;
-  Point3 y;
-  Point3 normal;
-};
-
-/** The tensor within a plane, which is that of the basis turned so that its normal is `normal`. */
-Tensor2 within(const Eigen::Matrix3d& tensor, const Basis& basis, const Point3& normal)
-{
-  Point3 x = basis.x;
-  Point3 y = basis.y;
-  if (basis.normal.dot(normal) > cosineOfCrease)
-  {
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(basis.normal, normal);
-    x = turn * x;
-    y = turn * y;
-  }
-  return { x.dot(tensor * x), x.dot(tensor * y), y.dot(tensor * y) };
-}
-
 /** The largest factor between the lengths of a vector in two metrics. */
 double largestFactor(const Tensor2& a, const Tensor2& b)
 {
-  // Eigenvalues of a^-1 b: squares of such factors.
-  const double determinant = a.determinant();
-  const double half = 0.5 * (a.yy * b.xx - 2.0 * a.xy * b.xy + a.xx * b.yy) / determinant;
-  const double product = b.determinant() / determinant;
-  const double large = half + std::sqrt(std::max(half * half - product, 0.0));
-  return std::sqrt(std::max(large, large / product));
+  const RelativeSizes sizes = relativeSizes(a, b);
+  return std::sqrt(std::max(sizes.most, 1.0 / sizes.least));
 }
 
 TargetShape shapeOf(const SurfaceMesh& mesh, const MetricField& metric, std::size_t facet)
@@ -54,20 +26,13 @@ TargetShape shapeOf(const SurfaceMesh& mesh, const MetricField& metric, std::siz
   const Triple& points = mesh.facetPoints[facet];
   const Point3 first = mesh.points[points[1]] - mesh.points[points[0]];
   const Point3 second = mesh.points[points[2]] - mesh.points[points[0]];
-  Basis basis;
-  basis.normal = first.cross(second).stableNormalized();
-  basis.x = first.stableNormalized();
-  basis.y = basis.normal.cross(basis.x);
-  Tensor2 own[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    own[k] = within(metric.tensors[points[k]], basis, metric.normals[points[k]]);
-  }
+  const TangentFrame frame = TangentFrame::of(mesh, facet);
+  const std::array<Tensor2, 3> own = tensorsOf(mesh, metric, facet);
   const Tensor2 mean = (own[0] + own[1] + own[2]) * (1.0 / 3.0);
   // Both edges in the plane: (u, 0) and (v, w).
   const double u = first.norm();
-  const double v = second.dot(basis.x);
-  const double w = second.dot(basis.y);
+  const double v = second.dot(frame.x);
+  const double w = second.dot(frame.y);
   TargetShape shape;
   shape.variation = std::max({ largestFactor(own[0], own[1]), largestFactor(own[1], own[2]),
     largestFactor(own[2], own[0]) });
@@ -76,6 +41,38 @@ TargetShape shapeOf(const SurfaceMesh& mesh, const MetricField& metric, std::siz
   shape.c = u * w * std::sqrt(mean.determinant()) / shape.a;
   return shape;
 }
+}
+
+std::vector<Point3> pointNormals(const SurfaceMesh& mesh)
+{
+  std::vector<Point3> normals(mesh.points.size(), Point3::Zero());
+  for (const Triple& points : mesh.facetPoints)
+  {
+    const Point3& first = mesh.points[points[0]];
+    const Point3 normal = (mesh.points[points[1]] - first).cross(mesh.points[points[2]] - first);
+    for (const Index point : points)
+    {
+      normals[point] += normals[point].dot(normal) < 0.0 ? Point3(-normal) : normal;
+    }
+  }
+  for (Point3& normal : normals)
+  {
+    normal.stableNormalize();
+  }
+  return normals;
+}
+
+std::array<Tensor2, 3> tensorsOf(
+  const SurfaceMesh& mesh, const MetricField& metric, std::size_t facet)
+{
+  const TangentFrame frame = TangentFrame::of(mesh, facet);
+  std::array<Tensor2, 3> own;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index point = mesh.facetPoints[facet][k];
+    own[k] = frame.turnedTo(metric.normals[point]).within(metric.tensors[point]);
+  }
+  return own;
 }
 
 Status findTargetShapes(const SurfaceMesh& mesh, const MetricField& metric,

@@ -9,7 +9,7 @@
 #define remesh_MetricField_h
 
 #include "Mesh/SurfaceMesh.h"
-#include "Metric/Tensor2.h"
+#include "Metric/TangentFrame.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 
@@ -22,6 +22,13 @@ struct MetricField
   std::vector<Eigen::Matrix3d> tensors; ///< V, of R^3
   std::vector<Point3> normals;          ///< V, unit; of the surface's tangent planes
 };
+
+/** The tensors at a facet's corners, each turned into its plane (`TangentFrame::of` it). */
+std::array<Tensor2, 3> tensorsOf(
+  const SurfaceMesh& mesh, const MetricField& metric, std::size_t facet);
+
+/** Unit normals of points: sums over their facets, each turned to the side of the first one. */
+std::vector<Point3> pointNormals(const SurfaceMesh& mesh);
 
 /**
  * A facet as it is in the metric: R'R is the Gram matrix of its edges from the first corner to the

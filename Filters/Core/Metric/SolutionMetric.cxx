@@ -163,7 +163,7 @@ private:
       squares = squares +
         Tensor2{ h.xx * h.xx + h.xy * h.xy, h.xy * (h.xx + h.yy), h.xy * h.xy + h.yy * h.yy };
     }
-    return mapEigenvalues(squares, [](double value) { return std::sqrt(std::max(value, 0.0)); });
+    return withEigenvalues(squares, [](double value) { return std::sqrt(std::max(value, 0.0)); });
   }
 
   Tensor2 optimal(const Tensor2& hessian) const
@@ -184,7 +184,7 @@ private:
 
   Tensor2 withinSizes(const Tensor2& tensor) const
   {
-    return mapEigenvalues(
+    return withEigenvalues(
       tensor, [&](double value) { return std::min(std::max(value, m_least), m_most); });
   }
 

@@ -1,14 +1,12 @@
 /**
  * @file TensorAlgebra.h
- * @brief Functions of symmetric 2 x 2 matrices by their eigenvalues, and the intersection of two
- *        metrics.
+ * @brief The eigenvalues and eigenvectors of symmetric 2 x 2 matrices.
  */
 #ifndef remesh_TensorAlgebra_h
 #define remesh_TensorAlgebra_h
 
 #include "Metric/Tensor2.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace remesh
@@ -45,38 +43,10 @@ inline Spectrum2 spectrumOf(const Tensor2& tensor)
   return spectrum;
 }
 
-/** The tensor with `function` of each eigenvalue in its place. */
-template <class Function>
-Tensor2 mapEigenvalues(const Tensor2& tensor, const Function& function)
-{
-  Spectrum2 spectrum = spectrumOf(tensor);
-  spectrum.first = function(spectrum.first);
-  spectrum.second = function(spectrum.second);
-  return spectrum.tensor();
-}
-
 /** The eigenvalues without their signs. */
 inline Tensor2 absolute(const Tensor2& tensor)
 {
-  return mapEigenvalues(tensor, [](double value) { return std::abs(value); });
-}
-
-/**
- * The metric that asks for short edges wherever one of two does: both are diagonal in one basis
- * (simultaneous reduction), and each entry is the larger one. Both positive definite.
- */
-inline Tensor2 intersection(const Tensor2& a, const Tensor2& b)
-{
-  // a = L L', and L^-1 b L^-T has the eigenvalues of b relative to a.
-  const double l = std::sqrt(a.xx);
-  const double m = a.xy / l;
-  const double n = std::sqrt(std::max(a.determinant(), 0.0) / a.xx);
-  const double u = b.xy / l - m * b.xx / (l * l);
-  const Tensor2 relative{ b.xx / (l * l), u / n, (b.yy - m * b.xy / l - m * u) / (n * n) };
-  const Tensor2 larger =
-    mapEigenvalues(relative, [](double value) { return std::max(value, 1.0); });
-  return { l * l * larger.xx, l * (m * larger.xx + n * larger.xy),
-    m * m * larger.xx + 2.0 * m * n * larger.xy + n * n * larger.yy };
+  return withEigenvalues(tensor, [](double value) { return std::abs(value); });
 }
 }
 

@@ -211,12 +211,32 @@ struct NumberRun
     }
   }
 };
+
+/** The number of points that the metric asks for. */
+Status takeUnitNumber(const RunControl& control, RunRequest& request)
+{
+  Offset number = 0;
+  const Status status = findUnitNumber(
+    request.preparation, request.unit.complexity, control, number, request.preparation.metricUnit);
+  request.options.numberOfSites = number;
+  request.preparation.numberOfSites = number;
+  if (request.tolerance.extraIsOnePercent)
+  {
+    request.options.maximumExtraPoints = number / 100;
+  }
+  return status;
+}
 }
 
 Status remeshWithNumber(RunRequest request, const RunControl& control, RunOutcome& outcome)
 {
+  Status status = request.unit.isUnit ? takeUnitNumber(control, request) : Status::success();
+  if (!status.ok())
+  {
+    return status;
+  }
   NumberRun run{ std::move(request), outcome };
-  Status status = run.makeWithRadii(control);
+  status = run.makeWithRadii(control);
   outcome.result.seconds = run.seconds;
   outcome.result.evaluations = run.evaluations;
   return status;

@@ -1,8 +1,8 @@
 #include "Pipeline/Pipeline.h"
 
-#include "Run/MeshDistance.h"
 #include "Pipeline/NumberRun.h"
 #include "Pipeline/ToleranceRun.h"
+#include "Run/MeshDistance.h"
 
 namespace remesh
 {
@@ -14,7 +14,8 @@ Status makeMesh(RunRequest request, const RunControl& control, RunOutcome& outco
     options.curvesFollowBends = false;
     if (options.placement == VertexPlacement::Fit)
     {
-      options.placement = VertexPlacement::HeldFit;
+      options.placement =
+        request.preparation.metric ? VertexPlacement::FirmFit : VertexPlacement::HeldFit;
     }
   }
   if (!request.hasNumber())

@@ -23,11 +23,19 @@ struct ToleranceRequest
   bool extraIsOnePercent = false;
 };
 
+/** Edges of unit length in the metric, which gives the number of points. */
+struct UnitRequest
+{
+  bool isUnit = false;
+  double complexity = 0.0; ///< the area that the metric is scaled to; 0: as it is
+};
+
 struct RunRequest
 {
   PreparationRequest preparation;  ///< its `numberOfSites` is set by the run
   RemeshOptions options;           ///< `initialSites` are those of `sites`
   ToleranceRequest tolerance;      ///< does not count where there are sites
+  UnitRequest unit;                ///< instead of `options.numberOfSites`
   std::optional<GivenSites> sites; ///< to start from, instead of `options.numberOfSites`
   bool measuresDistance = true;    ///< a tolerance is measured in any case
   double memory = 0.0;             ///< of the machine, bytes; 0: not known, and not asked about

@@ -127,7 +127,8 @@ Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const 
   {
     return status;
   }
-  const HeldShapes shapes{ start, way == VertexPlacement::HeldFit };
+  const HeldShapes shapes{ start, way == VertexPlacement::HeldFit,
+    way == VertexPlacement::FirmFit };
   return fitToSurface(problem, cells, shapes, control.step(1, 2), positions);
 }
 }

@@ -21,7 +21,8 @@ enum class VertexPlacement
   Surface,  ///< the point of the cell's facets closest to the centroid
   Quadric,  ///< see Quadric.h
   Fit,      ///< see SurfaceFit.h
-  HeldFit   ///< the same, with vertices held along the surface where their cells are
+  HeldFit,  ///< the same, with vertices held along the surface where their cells are
+  FirmFit   ///< the same, held as firmly as can be: they move across the surface alone
 };
 
 /** Centroids but at the fixed vertices, which are where `given`, if there are K, has them. */

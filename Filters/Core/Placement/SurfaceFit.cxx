@@ -167,11 +167,11 @@ Status fitToSurface(const PlacementProblem& problem, const CellForms& cells,
 {
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   FitTask task{ problem, stars, cells };
-  if (shapes.held)
+  if (shapes.held || shapes.heldFirmly)
   {
     keepAcross(cells, shapes.positions, positions);
     task.anchors = &shapes.positions;
-    task.hold = holdPerVariation * cells.variation;
+    task.hold = shapes.heldFirmly ? firmly : holdPerVariation * cells.variation;
   }
   const std::vector<Point3> start = positions;
   std::vector<Point3> anchors;

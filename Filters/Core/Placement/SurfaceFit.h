@@ -15,6 +15,7 @@ struct HeldShapes
 {
   const std::vector<Point3>& positions; ///< K, of the centroids, or where fixed vertices are
   bool held; ///< whether vertices stay near them along the surface, not only shapes as they are
+  bool heldFirmly = false; ///< whether they move across the surface alone
 };
 
 /**

@@ -64,26 +64,6 @@ Eigen::Matrix3d tensorOf(const PointArray& array, const Places& places, Offset p
   return tensor;
 }
 
-/** Sums of the facets' normals, each turned to the side of the first one. */
-std::vector<Point3> pointNormals(const SurfaceMesh& mesh)
-{
-  std::vector<Point3> normals(mesh.points.size(), Point3::Zero());
-  for (const Triple& points : mesh.facetPoints)
-  {
-    const Point3& first = mesh.points[points[0]];
-    const Point3 normal = (mesh.points[points[1]] - first).cross(mesh.points[points[2]] - first);
-    for (const Index point : points)
-    {
-      normals[point] += normals[point].dot(normal) < 0.0 ? Point3(-normal) : normal;
-    }
-  }
-  for (Point3& normal : normals)
-  {
-    normal.stableNormalize();
-  }
-  return normals;
-}
-
 /** Whether the part of a tensor in the plane across a normal is positive definite. */
 bool isPositive(const Eigen::Matrix3d& tensor, const Point3& normal)
 {
@@ -133,43 +113,6 @@ Status checkArray(const SurfaceMesh& mesh, const PointArray& array, Offset numbe
   return Status::success();
 }
 
-MetricFit fitOf(
-  const std::vector<TargetShape>& shapes, const std::vector<std::array<float, 2>>& stretches)
-{
-  constexpr double share = 0.05;
-  MetricFit fit;
-  double area = 0.0;
-  double within = 0.0;
-  std::vector<std::pair<float, double>> least;
-  std::vector<std::pair<float, double>> most;
-  for (std::size_t f = 0; f < shapes.size(); ++f)
-  {
-    area += shapes[f].area();
-    const bool isNear = shapes[f].variation <= mostVariation && stretches[f][0] >= std::sqrt(0.5) &&
-      stretches[f][1] <= std::sqrt(2.0);
-    within += isNear ? shapes[f].area() : 0.0;
-    least.emplace_back(stretches[f][0], shapes[f].area());
-    most.emplace_back(-stretches[f][1], shapes[f].area());
-  }
-  const auto quantile = [&](std::vector<std::pair<float, double>>& values)
-  {
-    std::sort(values.begin(), values.end());
-    double sum = 0.0;
-    for (const auto& [value, weight] : values)
-    {
-      sum += weight;
-      if (sum >= share * area)
-      {
-        return std::abs(static_cast<double>(value));
-      }
-    }
-    return 1.0;
-  };
-  fit.low = quantile(least);
-  fit.high = quantile(most);
-  fit.within = area > 0.0 ? within / area : 1.0;
-  return fit;
-}
 }
 
 Status readMetric(const SurfaceMesh& mesh, const PointArray& array, TensorOrder order,
@@ -205,31 +148,61 @@ Status readMetric(const SurfaceMesh& mesh, const PointArray& array, TensorOrder 
     : Status::invalid(nameOf(array) + " " + fault + " at point " + std::to_string(first) + ".");
 }
 
-Status makeMetricCoordinates(const SurfaceMesh& mesh, const MetricField& metric, int dimension,
-  const RunControl& control, CornerCoordinates& coordinates, MetricFit& fit)
+MetricFit fitOf(const MetricSurface& surface)
 {
-  std::vector<TargetShape> shapes;
-  IsometryOptions options;
-  options.dimension = dimension;
-  IsometricEmbedding embedding;
-  Status status = findTargetShapes(mesh, metric, control.silent(), shapes);
-  if (status.ok())
+  const std::vector<TargetShape>& shapes = surface.shapes;
+  const std::vector<std::array<float, 2>>& stretches = surface.embedding.stretches;
+  constexpr double share = 0.05;
+  MetricFit fit;
+  double area = 0.0;
+  double within = 0.0;
+  std::vector<std::pair<float, double>> least;
+  std::vector<std::pair<float, double>> most;
+  for (std::size_t f = 0; f < shapes.size(); ++f)
   {
-    status = embedIsometrically(mesh, shapes, options, control, embedding);
+    area += shapes[f].area();
+    const bool isNear = shapes[f].variation <= mostVariation && stretches[f][0] >= std::sqrt(0.5) &&
+      stretches[f][1] <= std::sqrt(2.0);
+    within += isNear ? shapes[f].area() : 0.0;
+    least.emplace_back(stretches[f][0], shapes[f].area());
+    most.emplace_back(-stretches[f][1], shapes[f].area());
   }
-  if (!status.ok())
+  const auto quantile = [&](std::vector<std::pair<float, double>>& values)
   {
-    return status;
+    std::sort(values.begin(), values.end());
+    double sum = 0.0;
+    for (const auto& [value, weight] : values)
+    {
+      sum += weight;
+      if (sum >= share * area)
+      {
+        return std::abs(static_cast<double>(value));
+      }
+    }
+    return 1.0;
+  };
+  fit.low = quantile(least);
+  fit.high = quantile(most);
+  fit.within = (area > 0.0 ? within / area : 1.0) * (1.0 - surface.coarseShare);
+  fit.unit = surface.unit;
+  for (const float limit : surface.limits)
+  {
+    fit.limit = std::max(fit.limit, static_cast<double>(limit));
   }
-  fit = fitOf(shapes, embedding.stretches);
-  coordinates = CornerCoordinates();
-  coordinates.dimension = dimension;
-  coordinates.values.resize(static_cast<std::size_t>(mesh.numberOfCorners()) * dimension);
+  return fit;
+}
+CornerCoordinates metricCoordinates(const SurfaceMesh& mesh, const MetricSurface& surface)
+{
+  const Rows& places = surface.embedding.places;
+  const Offset dimension = places.cols();
+  CornerCoordinates coordinates;
+  coordinates.dimension = static_cast<int>(dimension);
+  coordinates.values.resize(static_cast<std::size_t>(mesh.numberOfCorners() * dimension));
   for (Index corner = 0; corner < mesh.numberOfCorners(); ++corner)
   {
-    const double* row = embedding.places.row(mesh.cornerPoints[corner]).data();
+    const double* row = places.row(mesh.cornerPoints[corner]).data();
     std::copy_n(row, dimension, coordinates.values.begin() + Offset(corner) * dimension);
   }
-  return Status::success();
+  return coordinates;
 }
 }

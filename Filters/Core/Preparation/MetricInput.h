@@ -6,7 +6,7 @@
 #define remesh_MetricInput_h
 
 #include "Embedding/CornerCoordinates.h"
-#include "Metric/IsometricEmbedding.h"
+#include "Metric/MetricSurface.h"
 #include "Preparation/PointArray.h"
 
 namespace remesh
@@ -38,15 +38,19 @@ struct MetricFit
   double low = 1.0;    ///< 5 % are stretched by less
   double high = 1.0;   ///< 5 % by more
   double within = 1.0; ///< share of the area stretched by 1/sqrt 2 to sqrt 2 in all directions,
-                       ///< where sizes vary within facets by no more than a factor of 2
+                       ///< where sizes vary within facets by no more than a factor of 2, and
+                       ///< from one given point to the next by no more than 4
+  double limit = 1.0;  ///< the largest factor by which a size was made smaller
+  double unit = 1.0;   ///< the length of edges in the metric, for the number of sites
 };
+
+MetricFit fitOf(const MetricSurface& surface);
 
 /**
  * The corners' places in R^d: the points' in an isometric embedding of the metric, the same on all
  * sides of creases.
  */
-Status makeMetricCoordinates(const SurfaceMesh& mesh, const MetricField& metric, int dimension,
-  const RunControl& control, CornerCoordinates& coordinates, MetricFit& fit);
+CornerCoordinates metricCoordinates(const SurfaceMesh& mesh, const MetricSurface& surface);
 }
 
 #endif

@@ -217,6 +217,39 @@ Status arraysOf(
   return Status::success();
 }
 
+/** Goes on with a refined surface, whose normals are linear on the facets. */
+void takeRefined(RefinedSurface refined, PreparedSurface& prepared)
+{
+  CornerCoordinates normals;
+  normals.dimension = 3;
+  for (const Point3& normal : prepared.normals)
+  {
+    normals.values.insert(normals.values.end(), normal.data(), normal.data() + 3);
+  }
+  normals = interpolateCorners(prepared.mesh, refined.mesh, refined.origins, normals);
+  prepared.normals.resize(refined.mesh.cornerPoints.size());
+  for (std::size_t c = 0; c < prepared.normals.size(); ++c)
+  {
+    prepared.normals[c] = Point3(&normals.values[3 * c]).stableNormalized();
+  }
+  prepared.input = InputSurface{ std::move(prepared.mesh), std::move(prepared.features),
+    std::move(refined.origins) };
+  prepared.mesh = std::move(refined.mesh);
+  prepared.features = std::move(refined.features);
+}
+
+MetricOptions metricOptionsOf(const PreparationRequest& request)
+{
+  MetricOptions options;
+  options.dimension = request.metricDimension;
+  options.sites = request.numberOfSites;
+  options.unit = request.metricUnit;
+  options.isLimited = request.limitMetric;
+  options.growth = request.metricGrowth;
+  options.mayRefine = request.mayRefine;
+  return options;
+}
+
 /** The places of the corners in an embedding of the metric. */
 Status embedMetric(
   const PreparationRequest& request, const RunControl& control, PreparedSurface& prepared)
@@ -228,10 +261,21 @@ Status embedMetric(
   {
     return status;
   }
-  MetricFit& fit = prepared.metricFit.emplace();
-  status = makeMetricCoordinates(
-    prepared.mesh, metric, request.metricDimension, control, prepared.coordinates, fit);
-  if (status.ok() && fit.within < leastMet)
+  const MetricOptions options = metricOptionsOf(request);
+  MetricSurface surface;
+  status = embedMetric(prepared.mesh, prepared.features ? &*prepared.features : nullptr, metric,
+    options, control, surface);
+  if (!status.ok())
+  {
+    return status;
+  }
+  if (surface.refined)
+  {
+    takeRefined(std::move(*surface.refined), prepared);
+  }
+  const MetricFit& fit = prepared.metricFit.emplace(fitOf(surface));
+  prepared.coordinates = metricCoordinates(prepared.mesh, surface);
+  if (fit.within < leastMet)
   {
     std::ostringstream warning;
     warning.precision(2);
@@ -379,6 +423,40 @@ FeatureOptions featureOptions(const PreparationRequest& request, const SurfaceMe
   }
   options.cornerCharts = findKeptSeams(mesh, request, RunControl());
   return options;
+}
+
+Status findUnitNumber(const PreparationRequest& request, double complexity,
+  const RunControl& control, Offset& number, double& unit)
+{
+  if (!request.metric)
+  {
+    return Status::invalid("UnitEdges needs a metric: choose a MetricArray.");
+  }
+  PreparedSurface prepared;
+  MetricField metric;
+  MetricSize size;
+  Status status = takeIn(request, control.silent(), prepared);
+  if (status.ok())
+  {
+    status = readMetric(
+      prepared.mesh, *request.metric, request.metricOrder, request.source.numberOfPoints, metric);
+  }
+  MetricOptions options = metricOptionsOf(request);
+  options.unit = 1.0;
+  if (status.ok() && complexity > 0.0)
+  {
+    double area = 0.0;
+    status = findMetricArea(prepared.mesh, metric, control.silent(), area);
+    options.unit = std::sqrt(area / complexity);
+  }
+  if (status.ok())
+  {
+    status = measureMetric(prepared.mesh, metric, options, control.silent(), size);
+  }
+  unit = options.unit;
+  const double points = std::min(size.points(unit), static_cast<double>(maximumIndex));
+  number = std::max(Offset(4), static_cast<Offset>(std::llround(points)));
+  return status;
 }
 
 Status prepareSurface(

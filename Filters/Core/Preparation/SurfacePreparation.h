@@ -55,8 +55,11 @@ struct PreparationRequest
   std::optional<PointArray> embedding; ///< replaces all others
   std::optional<PointArray> metric;    ///< replaces all others, and the embedding
   TensorOrder metricOrder = TensorOrder::Vtk;
-  int metricDimension = 6;           ///< of the space that the metric is embedded in
-  std::optional<PointArray> density; ///< none: the same everywhere
+  int metricDimension = 6;   ///< of the space that the metric is embedded in
+  bool limitMetric = true;   ///< to what straight edges can follow, and by its growth
+  double metricGrowth = 5.0; ///< of sizes over the length of an edge, at most
+  double metricUnit = 0.0;   ///< length of edges in the metric; 0: what the number of sites gives
+  std::optional<PointArray> density;                      ///< none: the same everywhere
   std::vector<std::pair<PointArray, double>> coordinates; ///< appended, each times its scale
 
   bool preserveFeatures = false;
@@ -131,6 +134,17 @@ struct PreparedSurface
 
 /** Which features count for so many sites. */
 FeatureOptions featureOptions(const PreparationRequest& request, const SurfaceMesh& mesh);
+
+/**
+ * As many points as give edges of unit length in the request's metric, as limited: 2/sqrt 3 of its
+ * area, and half of its border's length, in units.
+ *
+ * @param complexity the area that the metric is scaled to, in squares of units; 0: as it is.
+ * @param unit receives the unit: 1, or what scales the metric.
+ * Takes as long as preparing the surface, but for the embedding.
+ */
+Status findUnitNumber(const PreparationRequest& request, double complexity,
+  const RunControl& control, Offset& number, double& unit);
 
 /**
  * @param prepared is replaced; its `intake` tells, after an error, too, what was dropped.

@@ -1,0 +1,73 @@
+/**
+ * @file MetricSurface.h
+ * @brief From a metric on a surface to the surface in R^d: all steps.
+ *
+ * 1. Refine the surface where it is too coarse for the metric (MetricRefinement.h).
+ * 2. Limit the metric to what straight edges can follow (StraightEdges.h).
+ * 3. Limit how fast it grows and turns (Gradation.h).
+ * 4. Embed it (IsometricEmbedding.h).
+ */
+#ifndef remesh_MetricSurface_h
+#define remesh_MetricSurface_h
+
+#include "Metric/IsometricEmbedding.h"
+#include "Refinement/RefinedSurface.h"
+
+#include <optional>
+
+namespace remesh
+{
+struct MetricOptions
+{
+  int dimension = 6;
+  Offset sites = 10000;  ///< whose spacing is the unit
+  double unit = 0.0;     ///< length of edges in the metric; 0: what `sites` gives
+  bool isLimited = true; ///< to what straight edges can follow, and by `growth`
+  double growth = 5.0;   ///< above 1, of sizes over a unit, at most
+  bool mayRefine = true;
+};
+
+struct MetricSurface
+{
+  std::optional<RefinedSurface> refined; ///< where the surface had to be
+  MetricField metric;                    ///< V of the refined surface, as limited
+  std::vector<TargetShape> shapes;       ///< F
+  IsometricEmbedding embedding;
+  double unit = 1.0; ///< length of edges in the metric
+  /** Share of the area where the metric varies too much from one given point to the next. */
+  double coarseShare = 0.0;
+  /** V, at least 1: by how much sizes were made smaller in some direction; 1 where not limited. */
+  std::vector<float> limits;
+};
+
+/**
+ * @param features of the mesh, or nullptr.
+ * @return Cancelled, or InvalidInput where the metric cannot be worked on.
+ */
+Status embedMetric(const SurfaceMesh& mesh, const Features* features, const MetricField& metric,
+  const MetricOptions& options, const RunControl& control, MetricSurface& surface);
+
+/** What a surface is in a metric as limited. */
+struct MetricSize
+{
+  double area = 0.0;
+  double border = 0.0; ///< length of the border; an edge of n facets counts 2 - n times
+  double euler = 0.0;  ///< points less edges plus facets
+
+  /** How many points a mesh has whose edges have that length: triangles of equal sides. */
+  double points(double unit) const;
+};
+
+/** As `embedMetric`, without the embedding. The unit must be given. */
+Status measureMetric(const SurfaceMesh& mesh, const MetricField& metric,
+  const MetricOptions& options, const RunControl& control, MetricSize& size);
+
+/** The area of a surface in a metric as it is given. */
+Status findMetricArea(
+  const SurfaceMesh& mesh, const MetricField& metric, const RunControl& control, double& area);
+
+/** Edges of triangles of equal sides: n of the points on an area are that far apart. */
+double unitOf(double area, Offset points);
+}
+
+#endif

@@ -1,0 +1,329 @@
+#include "Metric/StraightEdges.h"
+
+#include "Support/Grouping.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace remesh
+{
+namespace
+{
+constexpr int directions = 5; // of a half turn: an ellipse has two harmonics
+constexpr int mostRounds = 3;
+constexpr double unchanged = 0.03;   // relative, of squares of lengths: an ellipse that stays
+constexpr int mostFacets = 400;      // that half an edge crosses
+constexpr double mostSkewness = 0.9; // of an ellipse in the one before: it stays one
+constexpr double stretch = 0.25;     // of a unit, over which the metric is taken as linear
+constexpr double pi = 3.14159265358979323846;
+
+using Vector2 = Eigen::Vector2d;
+
+/** A facet in its plane, with the logarithms of the metric at its corners. */
+struct FlatFacet
+{
+  Vector2 corners[3];
+  Tensor2 logarithms[3];
+
+  Vector2 side(int k) const { return this->corners[(k + 1) % 3] - this->corners[k]; }
+
+  /** Length in the metric of a short step to both sides of a place. */
+  double speed(const Vector2& place, const Vector2& step) const
+  {
+    const Vector2 u = this->corners[1] - this->corners[0];
+    const Vector2 v = this->corners[2] - this->corners[0];
+    const Vector2 p = place - this->corners[0];
+    const double area = u[0] * v[1];
+    const double second = p[1] * u[0] / area;
+    const double first = (p[0] * v[1] - p[1] * v[0]) / area;
+    const Tensor2 log = this->logarithms[0] * (1.0 - first - second) + this->logarithms[1] * first +
+      this->logarithms[2] * second;
+    return std::sqrt(exponential(log).squared(step[0], step[1]));
+  }
+};
+
+/** Half an edge, on its way over the facets. */
+struct Walker
+{
+  Index facet = noIndex;
+  int entry = -1; ///< the side it came in by; -1 - k: it began at corner k
+  Vector2 place = Vector2::Zero();
+  Vector2 way = Vector2::Zero(); ///< of length 1
+  double length = 0.0;           ///< in the metric, so far
+  double distance = 0.0;         ///< in R^3, so far
+  double speed = 1.0;            ///< the last one
+};
+
+class StraightWalk
+{
+public:
+  StraightWalk(const SurfaceMesh& mesh, const EdgeTable& edges, const MetricField& metric,
+    const RunControl& control)
+    : m_mesh(mesh)
+    , m_edges(edges)
+    , m_metric(metric)
+    , m_facets(mesh.facetPoints.size())
+  {
+    const auto flatten = [&](Offset facet)
+    {
+      const auto f = static_cast<std::size_t>(facet);
+      const TangentFrame frame = TangentFrame::of(mesh, f);
+      const std::array<Tensor2, 3> tensors = tensorsOf(mesh, metric, f);
+      const Point3& first = mesh.points[mesh.facetPoints[f][0]];
+      for (int k = 0; k < 3; ++k)
+      {
+        const Point3 way = mesh.points[mesh.facetPoints[f][k]] - first;
+        m_facets[f].corners[k] = { way.dot(frame.x), k == 1 ? 0.0 : way.dot(frame.y) };
+        m_facets[f].logarithms[k] = logarithm(tensors[k]);
+      }
+    };
+    const auto pointOf = [&](Offset corner) { return mesh.facetPoints[corner / 3][corner % 3]; };
+    m_complete = forEachItem(static_cast<Offset>(m_facets.size()), control, flatten) &&
+      groupByKey(3 * static_cast<Offset>(m_facets.size()), mesh.numberOfPoints(), control, pointOf,
+        m_corners);
+  }
+
+  bool complete() const { return m_complete; }
+
+  /** How far an edge from a point along a unit vector of R^3 goes for a length in the metric. */
+  double distanceFor(double length, Index point, const Point3& along) const
+  {
+    Walker walker;
+    if (!this->start(point, along, walker))
+    {
+      const TangentFrame frame = TangentFrame::across(m_metric.normals[point]);
+      const Tensor2 tensor = frame.within(m_metric.tensors[point]);
+      return length / std::sqrt(tensor.squared(along.dot(frame.x), along.dot(frame.y)));
+    }
+    for (int k = 0; k < mostFacets; ++k)
+    {
+      const int exit = this->cross(length, walker);
+      if (walker.length >= length || !this->enterNext(exit, walker))
+      {
+        break;
+      }
+    }
+    return walker.distance + std::max(0.0, length - walker.length) / walker.speed;
+  }
+
+private:
+  /** The facet around the point that the direction leads into; false where none does. */
+  bool start(Index point, const Point3& along, Walker& walker) const
+  {
+    const Point3& normal = m_metric.normals[point];
+    double best = -1e-9;
+    for (Offset i = m_corners.begins[point]; i < m_corners.begins[point + 1]; ++i)
+    {
+      const Index facet = m_corners.items[i] / 3;
+      const int k = static_cast<int>(m_corners.items[i] % 3);
+      const Triple& points = m_mesh.facetPoints[facet];
+      const Point3 first = m_mesh.points[points[(k + 1) % 3]] - m_mesh.points[point];
+      const Point3 second = m_mesh.points[points[(k + 2) % 3]] - m_mesh.points[point];
+      const double turn = normal.dot(first.cross(second));
+      const double a = normal.dot(along.cross(second)) / turn;
+      const double b = normal.dot(first.cross(along)) / turn;
+      const double least = std::min(a * first.norm(), b * second.norm());
+      if (turn != 0.0 && least > best)
+      {
+        best = least;
+        const FlatFacet& flat = m_facets[facet];
+        const Vector2 way = a * flat.side(k) - b * flat.side((k + 2) % 3);
+        walker.facet = facet;
+        walker.entry = -1 - k;
+        walker.place = flat.corners[k];
+        walker.way = way.normalized();
+      }
+    }
+    return best > -1e-9;
+  }
+
+  /** Goes through the facet, or to where the length is reached; the side it leaves by. */
+  int cross(double length, Walker& walker) const
+  {
+    const FlatFacet& flat = m_facets[walker.facet];
+    int exit = 0;
+    double reach = std::numeric_limits<double>::max();
+    for (int k = 0; k < 3; ++k)
+    {
+      const bool isBehind = walker.entry >= 0
+        ? k == walker.entry
+        : k == -1 - walker.entry || (k + 1) % 3 == -1 - walker.entry;
+      const Vector2 side = flat.side(k);
+      const Vector2 to = flat.corners[k] - walker.place;
+      const double across = walker.way[0] * side[1] - walker.way[1] * side[0];
+      const double there = (to[0] * side[1] - to[1] * side[0]) / across;
+      if (!isBehind && across > 0.0 && there < reach)
+      {
+        reach = there;
+        exit = k;
+      }
+    }
+    if (!(reach < std::numeric_limits<double>::max()))
+    {
+      reach = 0.0;
+    }
+    this->advance(std::max(reach, 0.0), length, walker);
+    return exit;
+  }
+
+  void advance(double reach, double length, Walker& walker) const
+  {
+    constexpr int mostSteps = 32;
+    const FlatFacet& flat = m_facets[walker.facet];
+    double step = reach;
+    int steps = 1;
+    walker.speed = flat.speed(walker.place + 0.5 * step * walker.way, walker.way);
+    if (reach * walker.speed > 2.0 * stretch * length)
+    {
+      const double wanted = reach * walker.speed / (2.0 * stretch * length);
+      steps = static_cast<int>(std::min<double>(wanted, mostSteps - 1)) + 1;
+      step = reach / steps;
+      walker.speed = flat.speed(walker.place + 0.5 * step * walker.way, walker.way);
+    }
+    for (int k = 0; k < steps; ++k)
+    {
+      if (k > 0)
+      {
+        walker.speed = flat.speed(walker.place + 0.5 * step * walker.way, walker.way);
+      }
+      const double share =
+        std::min(1.0, (length - walker.length) / std::max(walker.speed * step, 1e-300));
+      walker.distance += share * step;
+      walker.place += step * walker.way;
+      if (share < 1.0)
+      {
+        walker.length = length;
+        break;
+      }
+      walker.length += walker.speed * step;
+    }
+  }
+
+  /** Unfolds the facet beyond a side; false at borders, and where several are. */
+  bool enterNext(int exit, Walker& walker) const
+  {
+    const Index edge = m_edges.facetEdges[walker.facet][exit];
+    if (m_edges.valence(edge) != 2)
+    {
+      return false;
+    }
+    const Index begin = m_edges.edgeFacetsBegin[edge];
+    const Index next = m_edges.edgeFacets[begin] == walker.facet ? m_edges.edgeFacets[begin + 1]
+                                                                 : m_edges.edgeFacets[begin];
+    const FlatFacet& from = m_facets[walker.facet];
+    const FlatFacet& to = m_facets[next];
+    const int entry = m_edges.sideOf(next, edge);
+    const bool isTurned = m_mesh.facetPoints[next][entry] == m_mesh.facetPoints[walker.facet][exit];
+    const Vector2 side = from.side(exit);
+    const double length2 = side.squaredNorm();
+    const Vector2 off = walker.place - from.corners[exit];
+    const double share = std::clamp(off.dot(side) / length2, 0.0, 1.0);
+    const double along = walker.way.dot(side) / std::sqrt(length2);
+    const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
+    const Vector2 other = to.side(entry).normalized();
+    const Vector2 inward(-other[1], other[0]);
+    walker.place = to.corners[entry] + (isTurned ? share : 1.0 - share) * to.side(entry);
+    walker.way = (isTurned ? along : -along) * other + across * inward;
+    walker.facet = next;
+    walker.entry = entry;
+    return true;
+  }
+
+  const SurfaceMesh& m_mesh;
+  const EdgeTable& m_edges;
+  const MetricField& m_metric;
+  std::vector<FlatFacet> m_facets;
+  Groups m_corners; ///< of each point: 3 facet + k
+  bool m_complete = false;
+};
+
+/** An ellipse in another one: of a mean and its second harmonics. */
+struct Fit
+{
+  double mean = 0.0;
+  double cosine = 0.0;
+  double sine = 0.0;
+
+  bool isCircle() const
+  {
+    return std::abs(this->mean - 1.0) < unchanged &&
+      this->cosine * this->cosine + this->sine * this->sine < unchanged * unchanged;
+  }
+  Tensor2 tensor() const
+  {
+    const double skewness = std::hypot(this->cosine, this->sine);
+    const double shrink =
+      skewness > mostSkewness * this->mean ? mostSkewness * this->mean / skewness : 1.0;
+    return { this->mean + shrink * this->cosine, shrink * this->sine,
+      this->mean - shrink * this->cosine };
+  }
+};
+
+/** The ellipse at a point, in that of the last round, of which `root` is the root. */
+Fit fitEllipse(const StraightWalk& walk, Index point, const TangentFrame& frame, double unit,
+  const Tensor2& root)
+{
+  const Tensor2 back = inverse(root);
+  Fit fit;
+  for (int k = 0; k < directions; ++k)
+  {
+    const double angle = pi * k / directions;
+    const double u = std::cos(angle);
+    const double v = std::sin(angle);
+    const double x = back.xx * u + back.xy * v;
+    const double y = back.xy * u + back.yy * v;
+    const double length = std::hypot(x, y);
+    const Point3 along = (x * frame.x + y * frame.y) / length;
+    const double reach =
+      walk.distanceFor(0.5 * unit, point, along) + walk.distanceFor(0.5 * unit, point, -along);
+    const double squared = (unit * length / reach) * (unit * length / reach);
+    fit.mean += squared / directions;
+    fit.cosine += 2.0 / directions * squared * std::cos(2.0 * angle);
+    fit.sine += 2.0 / directions * squared * std::sin(2.0 * angle);
+  }
+  return fit;
+}
+
+Tensor2 limitedAt(
+  const StraightWalk& walk, Index point, const TangentFrame& frame, double unit, Tensor2 tensor)
+{
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    const Tensor2 root = squareRoot(tensor);
+    const Fit fit = fitEllipse(walk, point, frame, unit, root);
+    tensor = sandwich(root, fit.tensor());
+    if (fit.isCircle())
+    {
+      break;
+    }
+  }
+  return tensor;
+}
+}
+
+bool limitToStraightEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
+  const MetricField& metric, double unit, const RunControl& control, MetricField& limited)
+{
+  const StraightWalk walk(mesh, edges, metric, control);
+  if (!walk.complete())
+  {
+    return false;
+  }
+  limited.normals = metric.normals;
+  limited.tensors.resize(metric.tensors.size());
+  return forEachRange(Blocks::cut(mesh.numberOfPoints(), 256, 1 << 12), control,
+    [&](Offset begin, Offset end)
+    {
+      for (Offset point = begin; point < end; ++point)
+      {
+        const TangentFrame frame = TangentFrame::across(metric.normals[point]);
+        const Tensor2 tensor = limitedAt(
+          walk, static_cast<Index>(point), frame, unit, frame.within(metric.tensors[point]));
+        limited.tensors[point] = frame.tensorOf(tensor, 0.5 * (tensor.xx + tensor.yy));
+      }
+    });
+}
+}
