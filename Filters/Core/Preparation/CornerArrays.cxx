@@ -162,8 +162,7 @@ Status readFacetDensities(const SurfaceMesh& mesh, const PointArray& array,
   {
     for (const Offset point : mesh.facetInputPoints[f])
     {
-      double density = 0.0;
-      array.read(point, &density);
+      const double density = array.value(point);
       if (!(density > 0.0) || !std::isfinite(density))
       {
         return Status::invalid(nameOf(array) + ", chosen as the density, has a value at point " +
@@ -185,7 +184,6 @@ std::vector<double> densitiesOf(
   const SurfaceMesh& mesh, const std::vector<FacetOrigin>& origins, const PointArray& array)
 {
   constexpr double middle[3] = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
-  double atPoint = 0.0;
   std::vector<double> densities;
   densities.reserve(origins.size());
   for (const FacetOrigin& origin : origins)
@@ -195,8 +193,7 @@ std::vector<double> densitiesOf(
     double& density = densities.emplace_back(0.0);
     for (int k = 0; k < 3; ++k)
     {
-      array.read(points[k], &atPoint);
-      density += place[k] * atPoint;
+      density += place[k] * array.value(points[k]);
     }
   }
   return densities;

@@ -22,8 +22,8 @@ struct PointArray
   std::string name;
   Offset count = 0; ///< rows
   int dimension = 0;
-  const double* doubles = nullptr; ///< row after row; or
-  const float* floats = nullptr;   ///< likewise; or
+  const double* doubles = nullptr;                        ///< row after row; or
+  const float* floats = nullptr;                          ///< likewise; or
   std::function<void(Offset row, double* values)> reader; ///< for whatever else holds the numbers
 
   /** Copies a row. */
@@ -42,6 +42,18 @@ struct PointArray
     {
       this->reader(row, values);
     }
+  }
+
+  /** The number of a row, where there is one a row. */
+  double value(Offset row) const
+  {
+    if (this->doubles || this->floats)
+    {
+      return this->doubles ? this->doubles[row] : this->floats[row];
+    }
+    double value = 0.0;
+    this->reader(row, &value);
+    return value;
   }
 };
 }
