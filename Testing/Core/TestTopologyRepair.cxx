@@ -88,7 +88,7 @@ void testMovesOnlyDonors()
             .ok());
     const VertexPlaces places{ surface, result.sites, result.diagram };
     const Refinement refinement =
-      refineTopology(places, made.components, made.dual, certificate);
+      refineTopology(places, made.components, made.dual, certificate, false);
     const auto count = static_cast<Index>(refinement.added.size() / 3);
     CHECK(refinement.removed.empty());
     CHECK_EQUAL(count > 0, !certificate.holds());

@@ -127,10 +127,12 @@ std::vector<Index> countUses(const Dual& dual, Index numberOfVertices)
 class TopologyRefiner
 {
 public:
-  /** All must outlive it. */
-  TopologyRefiner(const VertexPlaces& places, const Components& components, const Dual& dual)
+  /** @param cutTips whether cells at tips go instead. All must outlive it. */
+  TopologyRefiner(
+    const VertexPlaces& places, const Components& components, const Dual& dual, bool cutTips)
     : m_places(places)
     , m_components(components)
+    , m_cutTips(cutTips)
     , m_uses(countUses(dual, components.count()))
     , m_taken(static_cast<std::size_t>(components.count()), 0)
     , m_farthest(places)
@@ -147,6 +149,11 @@ public:
       return;
     }
     const Index least = this->lessUsed(this->lessUsed(a, b), c);
+    if (this->isTip(least, 1))
+    {
+      m_refinement.removed.push_back(m_components.sites[least]);
+      return;
+    }
     const std::vector<double> place = m_uses[least] <= 1
       ? m_thinTips.placeBetween(least, a == least ? b : a, c == least ? b : c)
       : std::vector<double>();
@@ -190,7 +197,14 @@ public:
     {
       return;
     }
-    this->refine(cell, noIndex);
+    if (this->isTip(cell, 0))
+    {
+      m_refinement.removed.push_back(m_components.sites[cell]);
+    }
+    else
+    {
+      this->refine(cell, noIndex);
+    }
   }
 
   void refineEdge(Index cell, Index neighbor)
@@ -221,6 +235,12 @@ private:
   }
 
   Index lessUsed(Index a, Index b) const { return m_uses[b] < m_uses[a] ? b : a; }
+
+  /** A cell of a repeated triangle and no other has two neighbours, one of none has one. */
+  bool isTip(Index cell, Index mostUses) const
+  {
+    return m_cutTips && m_uses[cell] <= mostUses && this->isFree(cell);
+  }
 
   bool isFree(Index cell) const { return m_components.sites[cell] >= m_places.sites.fixed; }
 
@@ -259,6 +279,7 @@ private:
 
   const VertexPlaces& m_places;
   const Components& m_components;
+  bool m_cutTips;
   std::vector<Index> m_uses; ///< triangles of each component
   std::vector<char> m_taken;
   FarthestVertex m_farthest;
@@ -268,9 +289,9 @@ private:
 }
 
 Refinement refineTopology(const VertexPlaces& places, const Components& components,
-  const Dual& dual, const Certificate& certificate)
+  const Dual& dual, const Certificate& certificate, bool cutTips)
 {
-  TopologyRefiner refiner(places, components, dual);
+  TopologyRefiner refiner(places, components, dual, cutTips);
   for (const Index cell : components.apexes)
   {
     refiner.bareApex(cell);

@@ -37,10 +37,12 @@ struct Refinement
  * have another one of the kind above it, at every scale: there the cells that go all around are
  * taken away, down to one that has triangles.
  *
+ * @param cutTips whether cells with fewer than three neighbours, as at the tip of a spike, are left
+ *        to these instead: the spike ends in one of them then.
  * Cost: O(P).
  */
 Refinement refineTopology(const VertexPlaces& places, const Components& components,
-  const Dual& dual, const Certificate& certificate);
+  const Dual& dual, const Certificate& certificate, bool cutTips);
 
 /**
  * A new site for each of these triangles, at the vertex of the diagram it is the dual of; none for

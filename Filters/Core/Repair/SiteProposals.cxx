@@ -14,7 +14,7 @@ namespace remesh
 Status SettledProposal::edit(
   SiteCandidate& candidate, int edit, const RunControl& control, bool& done)
 {
-  done = this->change(candidate, control);
+  done = this->change(candidate, edit, control);
   if (done && edit < m_settledEdits && !candidate.othersStay())
   {
     return candidate.settle(control);
@@ -24,6 +24,7 @@ Status SettledProposal::edit(
 
 namespace
 {
+constexpr int editsBetweenCuts = 4;   // of tips
 constexpr double shrinking = 0.9;     // of what fails, to come nearer
 constexpr double smallestSize = 1e-4; // in mean cells: a hundredth of the sites' spacing
 
@@ -48,7 +49,7 @@ public:
     return candidate.verdict().intrusions > 0;
   }
 
-  bool change(SiteCandidate& candidate, const RunControl& control) override
+  bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& control) override
   {
     return candidate.refineCurves(candidate.result().seams.intrusions, control);
   }
@@ -66,10 +67,18 @@ public:
   bool answers(const SiteCandidate& candidate) const override
   {
     const Offset faults = candidate.verdict().faults;
+    switch (m_how)
+    {
+      case Refining::AddSites:
+        return faults > 0;
+      case Refining::CutTips:
+        return faults > 0 && !candidate.isHopeless(faults);
+      case Refining::BeyondNumber:
+        break;
+    }
     const Offset extra = candidate.task().options.maximumExtraPoints;
-    const bool mayBeMore =
-      extra > candidate.extraPoints() && (!candidate.isHopeless(faults) || extra > faults);
-    return faults > 0 && (m_how == Refining::AddSites || mayBeMore);
+    return faults > 0 && extra > candidate.extraPoints() &&
+      (!candidate.isHopeless(faults) || extra > faults);
   }
 
   /**
@@ -94,11 +103,12 @@ public:
     return false;
   }
 
-  bool change(SiteCandidate& candidate, const RunControl& /*control*/) override
+  bool change(SiteCandidate& candidate, int edit, const RunControl& /*control*/) override
   {
     const RemeshResult& result = candidate.result();
-    Refinement refinement =
-      refineTopology(candidate.places(), result.components, result.dual, candidate.certificate());
+    const bool cuts = m_how == Refining::CutTips && edit % editsBetweenCuts == 0;
+    Refinement refinement = refineTopology(
+      candidate.places(), result.components, result.dual, candidate.certificate(), cuts);
     return m_how == Refining::BeyondNumber ? candidate.reviseBeyond(std::move(refinement))
                                            : candidate.revise(std::move(refinement),
                                                candidate.certificate(), candidate.wantedVertices());
@@ -120,7 +130,7 @@ public:
   }
 
   /** Unless it takes more vertices than asked for, or they all do. */
-  bool change(SiteCandidate& candidate, const RunControl& control) override
+  bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& control) override
   {
     const std::vector<Index> failing = failingComponents(candidate.certificate());
     const std::vector<Intrusion>& all = candidate.result().seams.encroachments;
@@ -147,7 +157,7 @@ public:
       candidate.result().components.count() != candidate.wantedVertices();
   }
 
-  bool change(SiteCandidate& candidate, const RunControl& /*control*/) override
+  bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& /*control*/) override
   {
     // Without hope for the topology at least the number shall be right.
     const bool keepsAdded = !candidate.verdict().isUnproven;
@@ -193,7 +203,7 @@ public:
   }
 
   /** Unless that takes more vertices than there may be, or free sites that stay. */
-  bool change(SiteCandidate& candidate, const RunControl& control) override
+  bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& control) override
   {
     const RemeshResult& result = candidate.result();
     const std::vector<Intrusion> coarse =
@@ -224,7 +234,7 @@ public:
       (m_strays ? count <= mostStrays(triangles) : !candidate.isHopeless(count));
   }
 
-  bool change(SiteCandidate& candidate, const RunControl& /*control*/) override
+  bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& /*control*/) override
   {
     const RemeshResult& result = candidate.result();
     m_counts.push_back(this->count(candidate));

@@ -27,7 +27,7 @@ public:
 
 protected:
   /** Returns whether it changes anything. */
-  virtual bool change(SiteCandidate& candidate, const RunControl& control) = 0;
+  virtual bool change(SiteCandidate& candidate, int edit, const RunControl& control) = 0;
 
 private:
   int m_settledEdits;
@@ -40,6 +40,7 @@ std::unique_ptr<SiteProposal> joinCurves(int settledEdits);
 enum class Refining
 {
   AddSites,    ///< where the certificate fails, others are taken away
+  CutTips,     ///< the same, but thin tips are left to the cells around them
   BeyondNumber ///< none are taken away, as far as more points are allowed
 };
 std::unique_ptr<SiteProposal> refineFaults(Refining how, int settledEdits);

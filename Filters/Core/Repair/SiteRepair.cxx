@@ -55,6 +55,7 @@ SiteTable topologyTable()
   table.push_back({ "join curves", joinCurves(4), 10, 10 });
   table.push_back({ "refine faults", refineFaults(Refining::AddSites, 2), 32, 8 });
   table.push_back({ "divide curves", divideCurves(), 32, 8 });
+  table.push_back({ "cut tips", refineFaults(Refining::CutTips, 0), 32, 8 });
   table.push_back({ "refine beyond", refineFaults(Refining::BeyondNumber, 0), 32, 8 });
   table.push_back({ "adjust number", adjustNumber(4), 10, 10 });
   table.push_back({ "release reserve", std::make_unique<ReserveRelease>(), 32, 0 });
