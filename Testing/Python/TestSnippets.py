@@ -322,6 +322,9 @@ class TestGuide(unittest.TestCase):
         plain_run = ar.remesh(surface, 200)
         runs = [plain_run, ar.remesh(surface, 200, density="Density", feature_labels="Material"),
                 ar.voronoi(surface, plain_run.points)]
+        metric = ar.metric_from_solution(surface, "Temperature", 200)
+        adapted = metric._outputs[0]
+        runs.append(ar.remesh(adapted, 200, metric="Metric"))
         compared = ar.compare(plain_run, surface)
         text = (OPTIONS.source / "Documentation" / "Outputs.md").read_text("utf-8")
         parts = {title: body for title, body in re.findall(r"^## (.+?)$(.+?)(?=^## |\Z)", text,
@@ -329,9 +332,10 @@ class TestGuide(unittest.TestCase):
         own = {f"Port {port}": [run._outputs[port] for run in runs] for port in range(5)}
         own["The comparison"] = compared._outputs
         own["Eigenfunctions"] = ar.spectral_embedding(surface)._outputs
-        metric = ar.metric_from_solution(surface, "Temperature", 200)
         own["The metric of a solution"] = metric._outputs
         carried = dict.fromkeys(own, self.names_of(surface))
+        carried.update(dict.fromkeys((name for name in own if name.startswith("Port")),
+                                     self.names_of(adapted)))
         carried["The comparison"] = self.names_of(plain_run.mesh, field=False)
         for title, outputs in own.items():
             body = next(parts[name] for name in parts if name.startswith(title))
