@@ -3,7 +3,6 @@
 #include "TestBytes.h"
 
 #include "vtkAnisotropicRemesher.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkRestrictedVoronoiDiagram.h"
 
 #include <limits>
@@ -52,16 +51,11 @@ double meanEdge(vtkPolyData* mesh, double low, double high, bool onBorder)
 {
   double sum = 0.0;
   int count = 0;
-  auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(size, ids);
-    for (int k = 0; k < 3; ++k)
+  forEachSide(mesh,
+    [&](vtkIdType p, vtkIdType q)
     {
-      const Point3 a = pointOf(mesh, ids[k]);
-      const Point3 b = pointOf(mesh, ids[(k + 1) % 3]);
+      const Point3 a = pointOf(mesh, p);
+      const Point3 b = pointOf(mesh, q);
       const bool within = std::min(a[0], b[0]) > low && std::max(a[0], b[0]) < high;
       const bool border = std::max(a[1], b[1]) < 1e-9;
       if (within && border == onBorder)
@@ -69,8 +63,7 @@ double meanEdge(vtkPolyData* mesh, double low, double high, bool onBorder)
         sum += (b - a).norm();
         ++count;
       }
-    }
-  }
+    });
   CHECK(count > 5);
   return sum / count;
 }

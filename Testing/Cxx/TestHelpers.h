@@ -11,6 +11,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -202,6 +203,23 @@ inline Point3 pointOf(vtkPolyData* data, vtkIdType id)
   Point3 point;
   data->GetPoint(id, point.data());
   return point;
+}
+
+/** Calls `visit(p, q)` for the ids of each side of each triangle: twice for an edge of two. */
+template <class Visit>
+void forEachSide(vtkPolyData* mesh, const Visit& visit)
+{
+  auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      visit(ids[k], ids[(k + 1) % 3]);
+    }
+  }
 }
 
 /** A tuple of any number of components. */

@@ -4,7 +4,6 @@
 #include "TestBytes.h"
 
 #include "vtkAnisotropicRemesher.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkGaussMapEmbedding.h"
 
 #include <array>
@@ -79,17 +78,7 @@ vtkSmartPointer<vtkAnisotropicRemesher> remesherOf(
 double unitShare(vtkPolyData* mesh, const Tensor& tensor)
 {
   std::set<std::pair<vtkIdType, vtkIdType>> edges;
-  auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(size, ids);
-    for (int k = 0; k < 3; ++k)
-    {
-      edges.insert(std::minmax(ids[k], ids[(k + 1) % 3]));
-    }
-  }
+  forEachSide(mesh, [&](vtkIdType p, vtkIdType q) { edges.insert(std::minmax(p, q)); });
   std::vector<double> logarithms;
   double sum = 0.0;
   for (const auto& [p, q] : edges)
@@ -219,20 +208,14 @@ double meanLength(vtkPolyData* mesh, const Tensor& tensor)
 {
   double sum = 0.0;
   vtkIdType count = 0;
-  auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(size, ids);
-    for (int k = 0; k < 3; ++k)
+  forEachSide(mesh,
+    [&](vtkIdType p, vtkIdType q)
     {
-      const Point3 start = pointOf(mesh, ids[k]);
-      const Point3 edge = pointOf(mesh, ids[(k + 1) % 3]) - start;
+      const Point3 start = pointOf(mesh, p);
+      const Point3 edge = pointOf(mesh, q) - start;
       sum += std::sqrt(edge.dot(tensor(start + 0.5 * edge) * edge));
       ++count;
-    }
-  }
+    });
   return sum / static_cast<double>(count);
 }
 

@@ -6,6 +6,7 @@
 #include "Mesh/FacetGeometry.h"
 #include "Mesh/NormalFlow.h"
 #include "Preparation/CornerArrays.h"
+#include "Preparation/IntakeWarnings.h"
 #include "Preparation/SeamCharts.h"
 #include "Refinement/NormalVariation.h"
 
@@ -23,13 +24,6 @@ constexpr double mostWrinkles = 0.05;
 
 /** Of the area, that a metric's embedding meets within a factor of sqrt 2, or it is told. */
 constexpr double leastMet = 0.9;
-
-/** Repeated triangles are told from one in so many on: a few are no sheet that is there twice. */
-constexpr Offset mostRepeated = 100;
-
-/** Of the spacing: the rounding of coordinates that turns triangles round begins some bits later.
- */
-constexpr double mostRounding = 1.0 / 64.0;
 
 /** The diagonal of the box around the points that triangles use. */
 double diagonalOf(const TriangleSoup& soup)
@@ -353,59 +347,6 @@ Status embed(
   }
   return status;
 }
-
-std::string shortNumber(double number)
-{
-  std::ostringstream text;
-  text.precision(2);
-  text << number;
-  return text.str();
-}
-
-/** What rounding has left of the coordinates: it moves points and turns triangles round. */
-void tellRounding(double precision, PreparedSurface& prepared)
-{
-  double largest = 0.0;
-  double area = 0.0;
-  for (const Point3& point : prepared.mesh.points)
-  {
-    largest = std::max(largest, point.cwiseAbs().maxCoeff());
-  }
-  for (const Triple& facet : prepared.mesh.facetPoints)
-  {
-    const auto& points = prepared.mesh.points;
-    area += facetArea(points[facet[0]], points[facet[1]], points[facet[2]]);
-  }
-  const double spacing = std::sqrt(area / static_cast<double>(prepared.mesh.numberOfPoints()));
-  const double share = precision * largest / spacing;
-  if (share > mostRounding)
-  {
-    prepared.warnings.push_back("The coordinates are rounded to " + shortNumber(share) +
-      " of the spacing of their points. Subtract an offset from them" +
-      (precision > DBL_EPSILON ? ", or read them in double precision." : "."));
-  }
-}
-
-void tellIntake(
-  const IntakeReport& intake, Offset numberOfFacets, std::vector<std::string>& warnings)
-{
-  if (!intake.orientable)
-  {
-    warnings.push_back("The surface is not orientable: the mesh cannot be oriented consistently.");
-  }
-  if (intake.gaps.points > 0)
-  {
-    warnings.push_back("Points on the border nearly coincide with others there: " +
-      std::to_string(intake.gaps.points) + ". A MergeTolerance of " +
-      shortNumber(intake.gaps.width) + " makes them one and closes the slits between them.");
-  }
-  if (mostRepeated * intake.droppedDuplicate >= numberOfFacets)
-  {
-    warnings.push_back(
-      "A part of the surface is there twice: " + std::to_string(intake.droppedDuplicate) +
-      " triangles lie on others with the same points, and are left out.");
-  }
-}
 }
 
 FeatureOptions featureOptions(const PreparationRequest& request, const SurfaceMesh& mesh)
@@ -479,7 +420,7 @@ Status prepareSurface(
     return status;
   }
   tellIntake(prepared.intake, prepared.mesh.numberOfFacets(), prepared.warnings);
-  tellRounding(request.source.precision, prepared);
+  tellRounding(request.source.precision, prepared.mesh, prepared.warnings);
   if (Status status = takeFeatures(request, progress, prepared); !status.ok())
   {
     return status;

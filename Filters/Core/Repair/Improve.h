@@ -41,7 +41,7 @@ public:
    * Edits the candidate.
    *
    * @param edit 0 for the first edit of its row, 1 for the second, and so on.
-   * @return whether it did; if not, the candidate is as it was.
+   * @param done whether it did; if not, the candidate is as it was.
    */
   virtual Status edit(Candidate& candidate, int edit, const RunControl& control, bool& done) = 0;
 
@@ -111,9 +111,6 @@ public:
     }
     return Status::cancelled();
   }
-
-  /** How many edits a row has made. */
-  int edits(std::size_t row) const { return m_uses[row].edits; }
 
 private:
   static constexpr std::size_t none = ~std::size_t(0);

@@ -78,7 +78,6 @@ Status SiteCandidate::judge(const RunControl& control)
   if (status.ok() && this->isWorthCounting())
   {
     status = this->countWrong(control.silent());
-    m_result.seconds.repair += watch.lap();
   }
   this->findVerdict();
   return status;
@@ -86,13 +85,11 @@ Status SiteCandidate::judge(const RunControl& control)
 
 Status SiteCandidate::countFacing(const RunControl& control)
 {
-  Stopwatch watch;
   m_countsFacing = true;
   m_start = m_verdict;
   m_start.reserve = std::numeric_limits<Offset>::max();
   const Status status = this->countWrong(control);
   this->findVerdict();
-  m_result.seconds.repair += watch.lap();
   return status;
 }
 

@@ -23,7 +23,6 @@ Status describeCells(const Task& task, const RunControl& control, RemeshResult& 
   return locateOnSurface(task.mesh, result.diagram, result.components, control, result.locations);
 }
 
-/** Improves sites by one table; their diagrams are made, and timed, by the candidate. */
 Status improve(SiteTable table, const RunControl& control, SiteCandidate& candidate)
 {
   return Improvement<SiteCandidate>(table, candidate).run(control);
@@ -38,13 +37,20 @@ Status repair(const RunControl& control, SiteCandidate& candidate, RemeshResult&
   {
     return status;
   }
+  Stopwatch watch;
+  const double before = result.seconds.diagram;
   const RunControl rest = control.step(1, 2);
   status = improve(topologyTable(), rest.step(0, 2), candidate);
   if (status.ok())
   {
     status = candidate.countFacing(rest.silent());
   }
-  return status.ok() ? improve(facingTable(), rest.step(1, 2), candidate) : status;
+  if (status.ok())
+  {
+    status = improve(facingTable(), rest.step(1, 2), candidate);
+  }
+  result.seconds.repair += watch.lap() - (result.seconds.diagram - before);
+  return status;
 }
 }
 
