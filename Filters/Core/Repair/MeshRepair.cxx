@@ -91,8 +91,7 @@ struct Pass
   MeshSteps steps;            ///< for which it is made
   bool movesTogether = false; ///< vertices around a triangle
   bool flipsEdges = false;
-  bool mayWorsen = false;       ///< what it cannot mend; and tries more places
-  Effort effort = Effort::None; ///< around a triangle that nothing helps alone
+  bool mayWorsen = false; ///< what it cannot mend; tries more places, and what is around
 };
 
 class PassProposal : public Proposal<MeshCandidate>
@@ -150,9 +149,9 @@ private:
       edits.movedVertices +=
         untangle(context.problem, candidate.task().surface, triangle, rings, context.control, mesh);
     }
-    if (m_pass.effort != Effort::None && isInverted())
+    if (m_pass.mayWorsen && isInverted())
     {
-      mendAround(context, triangle, m_pass.effort, mesh, edits);
+      mendAround(context, triangle, mesh, edits);
     }
     if (m_refills && candidate.verdict().inverted <= maxUntangled && isInverted())
     {
@@ -177,10 +176,7 @@ const PassRow passes[] = {
   { "move vertices", { MeshSteps::Move }, 3, 0 },
   { "move vertices together", { MeshSteps::Move, true }, 1, 0 },
   { "flip edges", { MeshSteps::MoveAndFlip, false, true }, 1, 0 },
-  { "mend around", { MeshSteps::MoveAndFlip, true, true, true, Effort::OwnStars }, 4, 2 },
-  { "mend farther", { MeshSteps::MoveAndFlip, true, true, true, Effort::Neighbours }, 4, 2 },
-  { "keep what helps later", { MeshSteps::MoveAndFlip, true, true, true, Effort::KeptAnyway }, 8,
-    3 },
+  { "mend around", { MeshSteps::MoveAndFlip, true, true, true }, 4, 2 },
 };
 
 Improvement<MeshCandidate>::Table tableOf(MeshSteps steps)

@@ -135,31 +135,10 @@ void mendTriangle(
   }
 }
 
-namespace
+void mendAround(const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits)
 {
-/** The corners of a triangle, or all that share a triangle with one of them; ascending. */
-std::vector<Index> verticesAround(Index triangle, Effort effort, const RepairedMesh& mesh)
-{
-  const Triple& corners = mesh.triangles()[triangle];
-  std::vector<Index> vertices(corners.begin(), corners.end());
-  for (const Index vertex : corners)
-  {
-    if (effort != Effort::OwnStars)
-    {
-      const std::vector<Index> around = mesh.neighbours(vertex);
-      vertices.insert(vertices.end(), around.begin(), around.end());
-    }
-  }
-  sortUnique(vertices);
-  return vertices;
-}
-
-}
-
-void mendAround(
-  const RepairContext& context, Index triangle, Effort effort, RepairedMesh& mesh, MeshEdits& edits)
-{
-  const std::vector<Index> vertices = verticesAround(triangle, effort, mesh);
+  Triple vertices = mesh.triangles()[triangle];
+  std::sort(vertices.begin(), vertices.end());
   std::vector<std::pair<Index, Point3>> moved;
   std::vector<RepairedMesh::EdgeFlip> turned;
   for (const Index vertex : vertices)
@@ -188,7 +167,7 @@ void mendAround(
       }
     }
   }
-  if (effort != Effort::KeptAnyway && mesh.isInverted(mesh.triangles()[triangle]))
+  if (mesh.isInverted(mesh.triangles()[triangle]))
   {
     std::for_each(turned.rbegin(), turned.rend(), [&](const auto& back) { mesh.apply(back); });
     std::for_each(moved.rbegin(), moved.rend(),

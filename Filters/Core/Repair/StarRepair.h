@@ -13,15 +13,6 @@
 
 namespace remesh
 {
-/** What may change around a triangle that nothing helps alone. */
-enum class Effort
-{
-  None,
-  OwnStars,   ///< the stars of its corners; undone if that does not help
-  Neighbours, ///< those of their neighbours, too; undone if that does not help
-  KeptAnyway  ///< the same, and it stays: something may help later
-};
-
 /** What a repair reads, and the least gain of a step in the pass it is in. */
 struct RepairContext
 {
@@ -40,9 +31,11 @@ std::vector<Point3> placesFor(
 void mendTriangle(
   const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits);
 
-/** Moves and turns what is around a triangle that nothing helps alone; see Effort. */
-void mendAround(const RepairContext& context, Index triangle, Effort effort, RepairedMesh& mesh,
-  MeshEdits& edits);
+/**
+ * Moves the corners of a triangle that nothing helps alone, and flips the edges of their stars;
+ * undone if it stays inverted.
+ */
+void mendAround(const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits);
 }
 
 #endif
