@@ -219,6 +219,7 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
   request.sites = remesh::givenSites(vtkPointSet::GetData(inputVector[1]));
   request.options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
   request.options.keepDiagram = writesDiagram;
+  request.options.ranks = this->GetRanks();
   request.measuresDistance = this->MeasureDistance;
   request.memory = remesh::machineMemory();
   request.preparation.mayLend = true;

@@ -422,11 +422,14 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   vtkWhole whole{ this, gathering.inputs(), outputVector, {} };
   whole.MakeOutputs();
   int done = 1;
-  if (gathering.worksHere())
-  {
-    const ObservedExecution observed(this);
-    done = this->WorkOnWhole(whole);
-  }
+  this->WaitingRanks = gathering.ranks();
+  gathering.work(
+    [&]
+    {
+      const ObservedExecution observed(this);
+      done = this->WorkOnWhole(whole);
+    });
+  this->WaitingRanks = nullptr;
   done = gathering.finish(done, outputVector, this->DistributeOutputs);
   if (remesh::abortRequested(this))
   {

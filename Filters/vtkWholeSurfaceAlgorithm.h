@@ -27,9 +27,9 @@
  * - sites are each in one block, the one with the largest part of its cell; lines along a border of
  *   blocks are in both; `SiteId` and `PatchId` number those of the whole, and `InputCellId` is the
  *   cell's id in the input's block;
- * - what a cell has (`CellArea` and so on) is that of the whole cell, divided evenly among the points
- *   of its vertex in all blocks; facts in the field data are those of the whole, too; they are in
- *   the field data of each block and of the composite data set.
+ * - what a cell has (`CellArea` and so on) is that of the whole cell, divided evenly among the
+ * points of its vertex in all blocks; facts in the field data are those of the whole, too; they are
+ * in the field data of each block and of the composite data set.
  *
  * Sites, too, may be composite, of any vtkPointSet: they are numbered block by block.
  *
@@ -68,6 +68,7 @@ class vtkCommand;
 
 namespace remesh
 {
+class Ranks;
 class SharedInputs;
 }
 
@@ -142,6 +143,12 @@ protected:
   /** Whether an output is that input itself with other point arrays. */
   virtual bool PassesInput(int outputPort) const;
 
+  /** While RequestWhole runs: the processes that wait for orders; nullptr where there are none. */
+  remesh::Ranks* GetRanks() const
+  {
+    return this->WaitingRanks;
+  }
+
 private:
   vtkWholeSurfaceAlgorithm(const vtkWholeSurfaceAlgorithm&) = delete;
   void operator=(const vtkWholeSurfaceAlgorithm&) = delete;
@@ -152,6 +159,7 @@ private:
 
   bool DistributeOutputs = false;
   const std::unique_ptr<remesh::SharedInputs> Inputs;
+  remesh::Ranks* WaitingRanks = nullptr;
 };
 
 #endif

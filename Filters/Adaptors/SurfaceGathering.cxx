@@ -1,7 +1,9 @@
 #include "Adaptors/SurfaceGathering.h"
 
+#include "Adaptors/ProcessRanks.h"
 #include "Adaptors/SurfaceBlocks.h"
 #include "Adaptors/SurfacePieces.h"
+#include "Voronoi/RankWork.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTypes.h"
@@ -14,14 +16,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
-#ifdef REMESH_HAS_MPI
-#include "vtkMPIController.h"
-#endif
-
-#include <algorithm>
-#include <chrono>
 #include <map>
-#include <thread>
 
 namespace remesh
 {
@@ -135,25 +130,6 @@ void receiveLeaves(vtkMultiProcessController* controller, int from, const Take& 
   }
 }
 
-/** Sleeps until the first process has something to tell; else receiving would keep a core busy. */
-void awaitFirst(vtkMultiProcessController* controller)
-{
-#ifdef REMESH_HAS_MPI
-  if (auto* mpi = vtkMPIController::SafeDownCast(controller))
-  {
-    using namespace std::chrono_literals;
-    auto pause = std::chrono::microseconds(50);
-    for (int arrived = 0; mpi->Iprobe(firstProcess, tag, &arrived, nullptr) && !arrived;)
-    {
-      std::this_thread::sleep_for(pause);
-      pause = std::min(2 * pause, std::chrono::microseconds(20ms));
-    }
-  }
-#else
-  static_cast<void>(controller);
-#endif
-}
-
 /** The data of all processes, in the structure of this one's. */
 vtkSmartPointer<vtkDataObject> assemble(
   vtkDataObject* own, const std::map<Path, std::vector<vtkSmartPointer<vtkDataObject>>>& pieces)
@@ -191,10 +167,30 @@ SurfaceGathering::SurfaceGathering(vtkInformationVector** inputs, int numberOfIn
     port->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId())
   {
     this->Controller = controller;
+    this->Processes = std::make_unique<ProcessRanks>(controller);
   }
 }
 
 SurfaceGathering::~SurfaceGathering() = default;
+
+Ranks* SurfaceGathering::ranks() const
+{
+  return this->Processes.get();
+}
+
+void SurfaceGathering::work(const std::function<void()>& own) const
+{
+  if (!this->worksHere())
+  {
+    workForFirst(*this->Processes);
+    return;
+  }
+  own();
+  if (this->Processes)
+  {
+    dismissOthers(*this->Processes);
+  }
+}
 
 bool SurfaceGathering::worksHere() const
 {
@@ -211,7 +207,7 @@ int SurfaceGathering::agree(bool ready) const
   if (!this->worksHere())
   {
     this->Controller->Send(&missing, 1, firstProcess, tag);
-    awaitFirst(this->Controller);
+    awaitMessage(this->Controller, firstProcess, tag);
     this->Controller->Receive(&missing, 1, firstProcess, tag);
     return missing;
   }
@@ -291,7 +287,7 @@ int SurfaceGathering::finish(int done, vtkInformationVector* outputs, bool sprea
   int words[2] = { done, spreads }; // the first process has the say
   if (!this->worksHere())
   {
-    awaitFirst(this->Controller);
+    awaitMessage(this->Controller, firstProcess, tag);
     this->Controller->Receive(words, 2, firstProcess, tag);
     if (words[0] && words[1])
     {

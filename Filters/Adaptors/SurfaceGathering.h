@@ -10,11 +10,11 @@
  * 2. `gather`: the first process gets the pieces of all, leaf by leaf of composite data, in the
  *    order of the processes and without ghost cells. Points that several pieces have stay several:
  *    intake makes them one.
- * 3. The first process does the work.
+ * 3. `work`: the first process does it, and the others what it asks them for (RankWork.h).
  * 4. `finish`: the others learn how it went, and get their parts of the outputs if these are
  *    spread.
  *
- * While the first works, the others sleep where the processes are those of MPI.
+ * Between its orders the others sleep where the processes are those of MPI.
  *
  * Memory: the first process holds the whole surface and the whole result, and for a while one more
  * copy of the largest piece.
@@ -24,6 +24,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 class vtkDataObject;
@@ -32,6 +34,9 @@ class vtkMultiProcessController;
 
 namespace remesh
 {
+class ProcessRanks;
+class Ranks;
+
 class SurfaceGathering
 {
 public:
@@ -58,6 +63,14 @@ public:
    */
   void gather(const std::vector<bool>& takesPoints);
 
+  /** The processes that share the work; nullptr where this one is alone. */
+  Ranks* ranks() const;
+
+  /**
+   * On the first process, does the work, which must not throw; on the others, what it asks for.
+   */
+  void work(const std::function<void()>& own) const;
+
   /**
    * Tells the others how the work went, and spreads the outputs: data with cells are cut into
    * ranges of cells, one for each process in their order. Points at the cuts are in both. Tables
@@ -74,6 +87,7 @@ private:
   void ReceiveParts(vtkInformationVector* outputs);
 
   vtkMultiProcessController* Controller = nullptr; ///< nullptr: this process is alone
+  std::unique_ptr<ProcessRanks> Processes;         ///< the same
   vtkInformationVector** Inputs;
   std::size_t NumberOfInputs;
   std::vector<vtkSmartPointer<vtkInformationVector>> Gathered;

@@ -220,6 +220,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
       result.sites = inOrder(result.sites, order);
     }
     RestrictedVoronoi voronoi(surface);
+    voronoi.divideAmong(options.ranks);
     if (Status status = optimize(surface, options, control, voronoi, result); !status.ok())
     {
       return status;

@@ -140,6 +140,7 @@ Status growFreeSites(const Task& task, const RunControl& control, RemeshResult& 
       coarseTask, shareOut(coarseTask, coarse, coarseSites + 2), control.silent(), coarse);
   }
   RestrictedVoronoi voronoi(task.surface);
+  voronoi.divideAmong(task.options.ranks);
   if (status.ok())
   {
     status = relaxLloyd(voronoi, task.surface, std::min(options.lloydIterations, coarseLloyd),

@@ -8,6 +8,7 @@
 #include "Optimization/QuasiNewton.h"
 #include "Optimization/Sampling.h"
 #include "Placement/Placement.h"
+#include "Support/Ranks.h"
 
 #include <cstdint>
 #include <limits>
@@ -44,6 +45,8 @@ struct RemeshOptions
   bool curvesFollowBends = true;
   /** False: the diagram is freed when the vertices are placed, which leaves room for the rest. */
   bool keepDiagram = true;
+  /** Among which the optimisation's integrals are divided; nullptr: this process does it all. */
+  Ranks* ranks = nullptr;
 };
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 namespace remesh
 {
@@ -18,7 +19,7 @@ namespace
  * is held twice; with many sites, neither are their sums. As each window looks at all sites, there
  * are a few only.
  */
-Offset windowFor(const Blocks& blocks, const Sites& sites, bool forDiagram)
+Offset windowFor(Offset blocks, const Sites& sites, bool forDiagram)
 {
   constexpr Offset mostWindows = 8;
   constexpr Offset windowsOfMany = 4;
@@ -26,15 +27,20 @@ Offset windowFor(const Blocks& blocks, const Sites& sites, bool forDiagram)
   const Offset windows = forDiagram              ? mostWindows
     : sites.coordinates.size() > manyCoordinates ? windowsOfMany
                                                  : 1;
-  return (blocks.count() + windows - 1) / windows;
+  return (blocks + windows - 1) / windows;
 }
 
-/** Each block has d sums for each site it meets: in many dimensions, fewer blocks hold less. */
-Blocks cutFacets(const EmbeddedSurface& surface)
+/** Adds to `sums` those of the blocks from `first` on. False: cancelled. */
+template <int D>
+bool integrateEach(ScratchPool<BlockCutter<D>>& pool, const Blocks& blocks, Offset first,
+  const RunControl& control, std::vector<BlockSums>& sums)
 {
-  constexpr Offset most = 512;
-  const Offset wanted = std::clamp<Offset>(most * manyDimensions / surface.dimension, 64, most);
-  return Blocks::cut(surface.numberOfFacets(), wanted, most / wanted * 4096);
+  return forEachBlock(static_cast<Offset>(sums.size()), control,
+    [&](Offset k)
+    {
+      const Offset block = first + k;
+      pool.borrow()->integrate(blocks.begin(block), blocks.end(block), sums[k]);
+    });
 }
 }
 
@@ -72,45 +78,39 @@ Status RestrictedVoronoi::cut(const Sites& sites, const KeptPieces* kept, const 
   CellSums& sums, Diagram* diagram)
 {
   PhaseTimer timer(m_times.clipping);
-  const Blocks blocks = cutFacets(m_surface);
+  const Blocks blocks = facetBlocks(m_surface);
+  const Offset count = m_shared && !diagram ? m_shared->ownBlocks() : blocks.count();
   const Offset window =
-    std::clamp<Offset>(m_window > 0 ? m_window : windowFor(blocks, sites, diagram != nullptr), 1,
-      std::max<Offset>(blocks.count(), 1));
+    std::clamp<Offset>(m_window > 0 ? m_window : windowFor(count, sites, diagram != nullptr), 1,
+      std::max<Offset>(count, 1));
   m_blockSums.resize(static_cast<std::size_t>(window));
   std::vector<DiagramBlock> pieces(diagram ? static_cast<std::size_t>(window) : std::size_t{ 0 });
   beginSums(sites.count(), m_surface.dimension, sums);
   const CutTask task{ m_surface, sites, m_lists, m_ownership, m_centers, m_instructions,
     m_decisions };
   ScratchPool<BlockCutter<D>> pool([&]() { return std::make_unique<BlockCutter<D>>(task); });
-  const auto cutWindow = [&](Offset first, Offset last, const RunControl& part)
+  const auto cutWindow = [&](Offset first, const RunControl& part)
   {
-    return forEachBlock(last - first, part,
-      [&](Offset k)
-      {
-        const Offset block = first + k;
-        const auto cutter = pool.borrow();
-        if (diagram)
-        {
-          cutter->decompose(
-            blocks.begin(block), blocks.end(block), kept, m_blockSums[k], pieces[k]);
-        }
-        else
-        {
-          cutter->integrate(blocks.begin(block), blocks.end(block), m_blockSums[k]);
-        }
-      });
+    return !diagram ? integrateEach(pool, blocks, first, part, m_blockSums)
+                    : forEachBlock(static_cast<Offset>(m_blockSums.size()), part,
+                        [&](Offset k)
+                        {
+                          const Offset block = first + k;
+                          pool.borrow()->decompose(blocks.begin(block), blocks.end(block), kept,
+                            m_blockSums[k], pieces[k]);
+                        });
   };
-  const auto windows = static_cast<int>((blocks.count() + window - 1) / window);
+  const auto windows = static_cast<int>((count + window - 1) / window);
   for (int k = 0; k < windows; ++k)
   {
     const RunControl part = control.step(1, 2).step(k, windows);
-    const Offset last = std::min(blocks.count(), (k + 1) * window);
+    const Offset last = std::min(count, (k + 1) * window);
     m_blockSums.resize(static_cast<std::size_t>(last - k * window));
-    if (!cutWindow(k * window, last, part.step(0, 2)))
+    if (!cutWindow(k * window, part.step(0, 2)))
     {
       return Status::cancelled();
     }
-    const double share = static_cast<double>(last) / static_cast<double>(blocks.count());
+    const double share = static_cast<double>(last) / static_cast<double>(count);
     if (Status status = diagram ? appendBlocks(pieces, share, *diagram) : Status::success();
         !status.ok())
     {
@@ -124,11 +124,6 @@ Status RestrictedVoronoi::cut(const Sites& sites, const KeptPieces* kept, const 
     }
     timer.next(m_times.clipping);
   }
-  timer.next(m_times.reduction);
-  if (Status status = finishSums(m_surface.dimension, control.silent(), sums); !status.ok())
-  {
-    return status;
-  }
   if (diagram)
   {
     pieces = std::vector<DiagramBlock>(); // which frees it; {} would keep the memory
@@ -137,21 +132,95 @@ Status RestrictedVoronoi::cut(const Sites& sites, const KeptPieces* kept, const 
   return Status::success();
 }
 
-Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& control, CellSums& sums)
+Status RestrictedVoronoi::finish(const RunControl& control, CellSums& sums)
+{
+  const PhaseTimer timer(m_times.reduction);
+  return finishSums(m_surface.dimension, control.silent(), sums);
+}
+
+Status RestrictedVoronoi::beginOthers(const Sites& sites)
+{
+  try
+  {
+    if (m_ranks && !m_shared)
+    {
+      m_shared = std::make_unique<SharedIntegration>(*m_ranks, m_surface);
+    }
+    if (m_shared)
+    {
+      m_shared->begin(sites);
+    }
+    return Status::success();
+  }
+  catch (const std::runtime_error& error)
+  {
+    return Status::invalid(error.what());
+  }
+}
+
+Status RestrictedVoronoi::endOthers(const RunControl& control, CellSums* sums)
+{
+  try
+  {
+    const PhaseTimer timer(m_times.reduction);
+    return m_shared ? m_shared->end(m_surface.dimension, control, sums) : Status::success();
+  }
+  catch (const std::runtime_error& error)
+  {
+    return Status::invalid(error.what());
+  }
+}
+
+Status RestrictedVoronoi::prepare(const Sites& sites, const RunControl& control)
 {
   ++m_evaluations;
-  if (Status status = this->locate(sites, control); !status.ok())
-  {
-    return status;
-  }
   if (m_numberOfSites != sites.count())
   {
     m_centers.assign(static_cast<std::size_t>(m_surface.numberOfFacets()), noIndex);
     m_numberOfSites = sites.count();
   }
-  return dispatchDimension(m_surface.dimension,
+  return this->locate(sites, control);
+}
+
+Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& control, CellSums& sums)
+{
+  if (Status status = this->beginOthers(sites); !status.ok())
+  {
+    return status;
+  }
+  Status status = this->prepare(sites, control);
+  if (status.ok())
+  {
+    status = dispatchDimension(m_surface.dimension,
+      [&](auto dimension)
+      { return this->cut<decltype(dimension)::value>(sites, nullptr, control, sums, nullptr); });
+  }
+  // In any case: they are not to be left waiting.
+  Status others = this->endOthers(control, status.ok() ? &sums : nullptr);
+  status = status.ok() ? std::move(others) : std::move(status);
+  return status.ok() ? this->finish(control, sums) : status;
+}
+
+Status RestrictedVoronoi::integrateBlocks(
+  const Sites& sites, Offset blockLength, const RunControl& control, std::vector<BlockSums>& blocks)
+{
+  if (Status status = this->prepare(sites, control); !status.ok())
+  {
+    return status;
+  }
+  const PhaseTimer timer(m_times.clipping);
+  const Blocks facets{ m_surface.numberOfFacets(), blockLength };
+  blocks.resize(static_cast<std::size_t>(facets.count()));
+  const CutTask task{ m_surface, sites, m_lists, m_ownership, m_centers, m_instructions,
+    m_decisions };
+  const bool done = dispatchDimension(m_surface.dimension,
     [&](auto dimension)
-    { return this->cut<decltype(dimension)::value>(sites, nullptr, control, sums, nullptr); });
+    {
+      using Cutter = BlockCutter<decltype(dimension)::value>;
+      ScratchPool<Cutter> pool([&]() { return std::make_unique<Cutter>(task); });
+      return integrateEach(pool, facets, 0, control, blocks);
+    });
+  return done ? Status::success() : Status::cancelled();
 }
 
 Status RestrictedVoronoi::decompose(const Sites& sites, const RunControl& control, CellSums& sums,
@@ -180,6 +249,7 @@ Status RestrictedVoronoi::decompose(const Sites& sites, const RunControl& contro
   Status status = dispatchDimension(m_surface.dimension,
     [&](auto dimension)
     { return this->cut<decltype(dimension)::value>(sites, kept, control, sums, &made); });
+  status = status.ok() ? this->finish(control, sums) : status;
   return status.ok() && kept ? updateDiagram(*kept, changes, control.silent(), diagram) : status;
 }
 }

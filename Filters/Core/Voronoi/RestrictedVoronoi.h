@@ -15,6 +15,8 @@
  * the order of the blocks changes a bit of the result. What is kept from one evaluation to the next
  * changes nothing but the rounding of the integrals, and nothing of a diagram.
  *
+ * Facets may be divided among ranks (SharedIntegration.h), as long as only integrals are wanted.
+ *
  * Cost about a F + b n.
  */
 #ifndef remesh_RestrictedVoronoi_h
@@ -30,6 +32,9 @@
 #include "Voronoi/KeptPieces.h"
 #include "Voronoi/NeighborLists.h"
 #include "Voronoi/Ownership.h"
+#include "Voronoi/SharedIntegration.h"
+
+#include <memory>
 
 namespace remesh
 {
@@ -62,8 +67,19 @@ public:
    */
   void addUpAtOnce(Offset blocks) { m_window = blocks; }
 
+  /**
+   * From now on, integrals are divided among ranks that wait for orders (RankWork.h).
+   *
+   * @param ranks nullptr: none. They must outlive this object.
+   */
+  void divideAmong(Ranks* ranks) { m_ranks = ranks && ranks->count() > 1 ? ranks : nullptr; }
+
   /** Integrals over the cells of these sites (at least one). */
   Status integrate(const Sites& sites, const RunControl& control, CellSums& sums);
+
+  /** The sums of each block of so many facets, which are not added up. */
+  Status integrateBlocks(const Sites& sites, Offset blockLength, const RunControl& control,
+    std::vector<BlockSums>& blocks);
 
   /**
    * The pieces of all cells and the same integrals. Nothing is kept of the lists: the way that the
@@ -83,17 +99,24 @@ public:
   const EvaluationTimes& times() const { return m_times; }
 
 private:
+  Status beginOthers(const Sites& sites);
+  Status endOthers(const RunControl& control, CellSums* sums);
+  Status prepare(const Sites& sites, const RunControl& control);
   Status locate(const Sites& sites, const RunControl& control);
   /** The same with lists where the sites stand, and without what `kept` makes needless. */
   Status locateOnce(const Sites& sites, const KeptPieces* kept, const RunControl& control);
+  /** The blocks of this rank. */
   template <int D>
   Status cut(const Sites& sites, const KeptPieces* kept, const RunControl& control, CellSums& sums,
     Diagram* diagram);
+  Status finish(const RunControl& control, CellSums& sums);
 
   const EmbeddedSurface& m_surface;
   InstructionSet m_instructions;
   Decisions m_decisions;
   Offset m_window = 0; ///< 0: as suits
+  Ranks* m_ranks = nullptr;
+  std::unique_ptr<SharedIntegration> m_shared; ///< once the ranks have their parts
   NeighborLists m_lists;
   Ownership m_ownership;
   std::vector<Index> m_centers;       ///< see FacetIntegration

@@ -1,0 +1,83 @@
+#include "Adaptors/ProcessRanks.h"
+
+#include "vtkMultiProcessController.h"
+
+#ifdef REMESH_HAS_MPI
+#include "vtkMPIController.h"
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+
+namespace remesh
+{
+namespace
+{
+constexpr int tag = 20121; ///< of all packets
+}
+
+void awaitMessage(vtkMultiProcessController* controller, int from, int tag)
+{
+#ifdef REMESH_HAS_MPI
+  if (auto* mpi = vtkMPIController::SafeDownCast(controller))
+  {
+    using namespace std::chrono;
+    const auto begin = steady_clock::now();
+    for (int arrived = 0; mpi->Iprobe(from, tag, &arrived, nullptr) && !arrived;)
+    {
+      // An eighth late at most: between two orders there may be a millisecond, or an hour.
+      const auto waited = duration_cast<microseconds>(steady_clock::now() - begin);
+      std::this_thread::sleep_for(
+        std::clamp<microseconds>(waited / 8, microseconds(20), milliseconds(20)));
+    }
+  }
+#else
+  static_cast<void>(controller);
+  static_cast<void>(from);
+  static_cast<void>(tag);
+#endif
+}
+
+int ProcessRanks::count() const
+{
+  return this->Controller->GetNumberOfProcesses();
+}
+
+int ProcessRanks::own() const
+{
+  return this->Controller->GetLocalProcessId();
+}
+
+void ProcessRanks::send(int rank, const Packet& packet)
+{
+  const auto size = static_cast<vtkIdType>(packet.bytes().size());
+  if (!this->Controller->Send(&size, 1, rank, tag) ||
+    !this->Controller->Send(packet.bytes().data(), size, rank, tag))
+  {
+    throw std::runtime_error("Process " + std::to_string(rank) + " cannot be reached.");
+  }
+}
+
+Packet ProcessRanks::receive(int rank)
+{
+  vtkIdType size = 0;
+  if (this->own() != first)
+  {
+    awaitMessage(this->Controller, rank, tag);
+  }
+  std::vector<char> bytes;
+  bool arrived = this->Controller->Receive(&size, 1, rank, tag) != 0;
+  if (arrived)
+  {
+    bytes.resize(static_cast<std::size_t>(size));
+    arrived = this->Controller->Receive(bytes.data(), size, rank, tag) != 0;
+  }
+  if (!arrived)
+  {
+    throw std::runtime_error("Process " + std::to_string(rank) + " does not answer.");
+  }
+  return Packet(std::move(bytes));
+}
+}

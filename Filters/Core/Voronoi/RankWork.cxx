@@ -1,0 +1,135 @@
+#include "Voronoi/RankWork.h"
+
+#include "Embedding/SurfacePart.h"
+#include "Voronoi/RestrictedVoronoi.h"
+
+#include <exception>
+#include <memory>
+#include <new>
+
+namespace remesh
+{
+namespace
+{
+/** A part of the surface and its diagram. */
+class PartIntegration
+{
+public:
+  explicit PartIntegration(Packet& packet)
+    : m_blockLength(blockLength(packet))
+    , m_surface(takeSurface(packet))
+    , m_voronoi(m_surface)
+  {
+  }
+
+  Status integrate(Packet& packet, std::vector<BlockSums>& blocks)
+  {
+    Sites sites;
+    packet.take(sites.dimension);
+    packet.take(sites.fixed);
+    packet.take(sites.coordinates);
+    return m_voronoi.integrateBlocks(sites, m_blockLength, RunControl(), blocks);
+  }
+
+private:
+  static Offset blockLength(Packet& packet)
+  {
+    Offset length = 0;
+    packet.take(length);
+    return length;
+  }
+
+  Offset m_blockLength;
+  EmbeddedSurface m_surface;
+  RestrictedVoronoi m_voronoi;
+};
+
+/** What `work` returns, or what it throws in words. */
+template <class Work>
+Status tryTo(const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return { StatusCode::OutOfMemory, "There is not enough memory for this run." };
+  }
+  catch (const std::exception& error)
+  {
+    return Status::invalid(error.what());
+  }
+}
+
+Packet answer(const Status& status)
+{
+  Packet packet;
+  packet.add(status.code);
+  packet.add(status.message);
+  return packet;
+}
+
+Packet answer(const std::vector<BlockSums>& blocks)
+{
+  Packet packet = answer(Status::success());
+  packet.add(blocks.size());
+  for (const BlockSums& block : blocks)
+  {
+    packet.add(block.sites);
+    packet.add(block.values);
+  }
+  return packet;
+}
+}
+
+void workForFirst(Ranks& ranks)
+{
+  std::unique_ptr<PartIntegration> part;
+  std::vector<BlockSums> blocks;
+  Status taken = Status::invalid("There is no surface.");
+  for (;;)
+  {
+    Packet packet = ranks.receive(Ranks::first);
+    RankOrder order = RankOrder::Leave;
+    packet.take(order);
+    switch (order)
+    {
+      case RankOrder::Leave:
+        return;
+      case RankOrder::TakeSurface:
+        part.reset(); // before there is another
+        taken = tryTo(
+          [&]
+          {
+            part = std::make_unique<PartIntegration>(packet);
+            return Status::success();
+          });
+        break;
+      case RankOrder::Integrate:
+      {
+        Packet sums;
+        const auto integrate = [&]
+        {
+          Status status = part->integrate(packet, blocks);
+          sums = status.ok() ? answer(blocks) : sums;
+          return status;
+        };
+        const Status status = taken.ok() ? tryTo(integrate) : taken;
+        ranks.send(Ranks::first, status.ok() ? sums : answer(status));
+        break;
+      }
+    }
+  }
+}
+
+void dismissOthers(Ranks& ranks)
+{
+  Packet packet;
+  packet.add(RankOrder::Leave);
+  for (int rank = 1; rank < ranks.count(); ++rank)
+  {
+    ranks.send(rank, packet);
+  }
+}
+}

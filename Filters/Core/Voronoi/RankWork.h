@@ -1,0 +1,32 @@
+/**
+ * @file RankWork.h
+ * @brief What ranks do for the first one while it runs.
+ */
+#ifndef remesh_RankWork_h
+#define remesh_RankWork_h
+
+#include "Support/Ranks.h"
+
+namespace remesh
+{
+/** What a packet from the first rank begins with. */
+enum class RankOrder : int
+{
+  Leave,       ///< there is nothing more to do
+  TakeSurface, ///< the length of blocks and a part of the surface: instead of an earlier one
+  Integrate    ///< sites, for which the sums of that part's blocks are sent back
+};
+
+/**
+ * Does what the first rank asks for, until it is told to leave. What fails here is told to the
+ * first, whose run ends with it.
+ *
+ * Memory: the part of the surface, and the sites with their neighbour lists.
+ */
+void workForFirst(Ranks& ranks);
+
+/** The first rank's word that there is nothing more to do. */
+void dismissOthers(Ranks& ranks);
+}
+
+#endif

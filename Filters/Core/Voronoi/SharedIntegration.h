@@ -1,0 +1,65 @@
+/**
+ * @file SharedIntegration.h
+ * @brief The integrals over the cells, with the facets divided among ranks: the first one's side.
+ *
+ * Each rank has the blocks of a range of facets and keeps them; the first has the whole surface as
+ * well. For each evaluation the first sends the sites to all, and gets back the sums of their
+ * blocks, which it adds up in the order of the blocks: how many ranks there are changes no bit.
+ * Neighbour lists are made by each rank for itself, from the same sites.
+ *
+ * Sent for an evaluation: to each rank n d doubles; back from it, for each block and each site that
+ * the block meets, d + 2 doubles and an index.
+ */
+#ifndef remesh_SharedIntegration_h
+#define remesh_SharedIntegration_h
+
+#include "Embedding/EmbeddedSurface.h"
+#include "Support/Parallel.h"
+#include "Support/Ranks.h"
+#include "Support/RunControl.h"
+#include "Support/Status.h"
+#include "Voronoi/CellSums.h"
+
+namespace remesh
+{
+/** How the facets are cut into blocks, by which their sums are added up. */
+Blocks facetBlocks(const EmbeddedSurface& surface);
+
+class SharedIntegration
+{
+public:
+  /**
+   * Sends the parts of the surface.
+   *
+   * @param ranks more than one. They must outlive it.
+   */
+  SharedIntegration(Ranks& ranks, const EmbeddedSurface& surface);
+  /** Takes what others have still to send. */
+  ~SharedIntegration();
+  SharedIntegration(const SharedIntegration&) = delete;
+  SharedIntegration& operator=(const SharedIntegration&) = delete;
+
+  /** The first so many blocks are this rank's. */
+  Offset ownBlocks() const;
+
+  /** The others begin. */
+  void begin(const Sites& sites);
+
+  /**
+   * Waits for them.
+   *
+   * @param sums of the own blocks, to which theirs are added; nullptr: they are not wanted any
+   * more.
+   */
+  Status end(int dimension, const RunControl& control, CellSums* sums);
+
+private:
+  Status addNext(int dimension, const RunControl& control, CellSums* sums);
+
+  Ranks& m_ranks;
+  Offset m_blocks;
+  int m_next; ///< the rank that is to send next; the number of ranks: none
+};
+}
+
+#endif
