@@ -36,8 +36,10 @@
  * Several processes, as of ParaView's servers and batch programs, share a surface if each is asked
  * for one piece of it: through vtkMultiProcessController::GetGlobalController() the pieces come to
  * the first process, which does the work on all threads that it has. So the first process takes the
- * memory of the whole surface and the whole work, and one copy of the largest piece; the others
- * wait. The surface is that of one process:
+ * memory of the whole surface and the whole work, and one copy of the largest piece. The others
+ * wait, but for the iterations of an optimisation: these are divided among all processes, each of
+ * which holds its part of the embedded surface, and all sites, as long as they last. The surface is
+ * that of one process:
  * - ghost cells count once, and points that pieces share are one;
  * - a surface that could come in pieces (any source of the pipeline can give some), or has several
  *   blocks, is put in an order of its own, on one process as on many: the same bytes for any number
