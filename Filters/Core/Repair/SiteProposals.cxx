@@ -270,9 +270,9 @@ private:
 };
 }
 
-std::unique_ptr<SiteProposal> joinCurves(int settledEdits)
+std::unique_ptr<SiteProposal> joinCurves()
 {
-  return std::make_unique<JoinCurves>(settledEdits);
+  return std::make_unique<JoinCurves>(0);
 }
 
 std::unique_ptr<SiteProposal> refineFaults(Refining how, int settledEdits)

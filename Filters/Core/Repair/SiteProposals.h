@@ -34,7 +34,7 @@ private:
 };
 
 /** Where cells reach a curve between two of its sites, these join the curve. */
-std::unique_ptr<SiteProposal> joinCurves(int settledEdits);
+std::unique_ptr<SiteProposal> joinCurves();
 
 /** How the topology is refined. */
 enum class Refining
