@@ -1,19 +1,21 @@
 /**
  * @file Remesh.h
- * @brief The whole pipeline on one page.
+ * @brief A run on an embedded surface, on one page.
  *
  * surface -> sites -> Lloyd -> quasi-Newton -> restricted Voronoi diagram -> components -> dual
  * -> vertices placed
  *
- * With features, the sites on them come first and stay (Features/), as far apart as the others will
- * be (CurveSampling.h), and so many that curves close to each other are kept apart
- * (CurveSeparation.h); the others are drawn patch by patch, and the patches' duals are sewn
- * together along the curves (Delaunay/Collar.h). Their vertices are fitted to the curves
- * (CurveFit.h).
+ * With features there is more:
+ * - Sites on features come first, and stay (Features/). They are as far apart as the others will be
+ *   (CurveSampling.h). Curves close to each other get more of them, to be kept apart
+ *   (CurveSeparation.h).
+ * - The other sites are drawn patch by patch.
+ * - The duals of the patches are sewn together along the curves (Delaunay/Collar.h).
+ * - Vertices on features are fitted to the curves (CurveFit.h).
  *
- * Where the dual is not proven to be like the surface (Delaunay/Certificate.h), or triangles are
- * flipped, sites are moved there; where a cell reaches a feature curve, its site joins the curve;
- * and the end is run again.
+ * Repairs (Repair/) change sites where the dual is not proven to be homeomorphic to the surface
+ * (Delaunay/Certificate.h), where triangles are inverted, and where a cell reaches a feature curve.
+ * Then the diagram and its dual are made again there.
  */
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h
@@ -24,20 +26,21 @@
 namespace remesh
 {
 /**
- * Runs the pipeline on an embedded surface. Deterministic in surface and options.
+ * Makes the mesh. Deterministic in surface and options.
  *
  * @param features along which `mesh` was cut open, or nullptr. If there are several patches, they
- *        must be separated in `surface`.
+ *        must be separated in `surface` (separatePatches).
+ * @param result is replaced.
  */
 Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
   RunControl control, RemeshResult& result, const Features* features = nullptr);
 
 /**
- * Ends a run again, from the diagram on, after its sites were moved or others added behind them.
- * Repairs leave all sites alone that they need not change, so that the mesh stays as it is
+ * Does the end of a run again, from the diagram on, after the caller has moved sites or appended
+ * new ones. Repairs change only the sites that they must, so that the mesh stays as it is
  * elsewhere.
  *
- * @param result of the run, with the same surface, options and features.
+ * @param result of a run with the same surface, options and features; its sites are the input.
  */
 Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   const RemeshOptions& options, RunControl control, RemeshResult& result,

@@ -1,6 +1,6 @@
 /**
  * @file FirstSites.h
- * @brief From the surface to the sites that the optimisation starts from.
+ * @brief The sites that the optimisation starts from.
  */
 #ifndef remesh_FirstSites_h
 #define remesh_FirstSites_h
@@ -10,15 +10,18 @@
 namespace remesh
 {
 /**
- * The sites given, or as many as are wanted: first those on features, if there are any, and then
- * the free ones of each patch, drawn from it. With `coarseStart`, a start with a quarter of them
- * takes a few iterations, and where its cells are near hexagons, its sites and their middles come
- * in the place of drawn ones (SiteGrowth.h). What is far apart is spread evenly by then, which
- * takes the iterations longest: the energy is lower after as many, or as low after two thirds.
+ * Takes the sites that are given, or else makes as many as are wanted. Those on features come
+ * first, if there are any. The free ones follow: they are drawn from each patch.
  *
- * @param result gets sites, stations and sites on features.
- * Cost: with a coarse start, about that of three to ten iterations: the more facets there are for
- * each site, the more.
+ * With `coarseStart`, most drawn sites are then replaced. A quarter as many sites takes a few
+ * iterations. Where their cells are near hexagons, they and the middles between neighbours come in
+ * the place of drawn sites (SiteGrowth.h). So all regions have their due number of sites from the
+ * start, which takes iterations longest to reach. After as many iterations the energy is lower; or
+ * it is as low after two thirds of them.
+ *
+ * @param result gets the sites, those on features, and what is known of the features' curves.
+ * Cost: with a coarse start, about that of three to ten iterations. It grows with the number of
+ * facets for each site.
  */
 Status makeSites(const Task& task, const RunControl& control, RemeshResult& result);
 }

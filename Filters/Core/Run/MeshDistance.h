@@ -11,19 +11,19 @@
 
 namespace remesh
 {
-/** The surface after intake, as it is compared. */
+/** The surface after intake, for the functions of Comparison/. Valid as long as the mesh. */
 Triangles trianglesOf(const SurfaceMesh& mesh);
 
-/** The mesh, as it is compared. Valid as long as the result. */
+/** The mesh that was made, likewise. Valid as long as the result. */
 Triangles trianglesOf(const RemeshResult& result);
 
 /**
- * Sets `result.distance` (unit of the points) from places on up to 100 000 triangles of each
- * surface, without a bound: `maximum` is the largest distance found. Leaves it unset where one of
- * the surfaces has no area.
+ * Sets `result.distance`, in the unit of the points, from samples on up to 100 000 triangles of
+ * mesh and surface each. No bound is proven: `maximum` is the largest distance that was found. If
+ * the mesh or the surface has no area, the distance stays unset.
  *
  * @return Cancelled, or success.
- * Cost: O(F + T) for two trees, one after the other, of 32 bytes a triangle.
+ * Cost: O(F + T) for two trees of 32 bytes a triangle, of which one is held at a time.
  */
 Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result);
 }

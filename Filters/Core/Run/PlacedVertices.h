@@ -11,20 +11,20 @@
 
 namespace remesh
 {
-/** How many steps repairs of a placed mesh took, and what they left. */
+/** The steps that repairs of a placed mesh took, and the inverted triangles that they left. */
 struct MeshEdits
 {
-  Offset inverted = 0; ///< triangles that are left
+  Offset inverted = 0; ///< triangles that are still inverted
   Offset movedVertices = 0;
-  Offset flippedEdges = 0; ///< in the place of the dual's, as many
-  Offset refilled = 0; ///< triangles turned back by CavityRepair.h, at most: again, if they invert
+  Offset flippedEdges = 0; ///< edges that the dual does not have; each replaces one of the dual's
+  Offset refilled = 0;     ///< triangles that CavityRepair.h has turned back; an upper bound
 };
 
-/** Where the vertices are, and what is wrong with the triangles then. */
+/** Where the vertices are, and which triangles are wrong with them there. */
 struct PlacedVertices
 {
   std::vector<Point3> positions; ///< K, R^3, the unit of the points
-  MeshEdits edits;               ///< and the triangles that are inverted
+  MeshEdits edits;               ///< of all repairs; `edits.inverted` is counted with them
   Offset strays = 0;             ///< triangles that face a closer part of the surface the wrong way
 };
 }

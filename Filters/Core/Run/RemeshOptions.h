@@ -20,32 +20,34 @@ struct RemeshOptions
   Offset numberOfSites = 10000;
   SamplingMethod sampling = SamplingMethod::Stratified;
   std::uint64_t seed = 0;
-  /** Whether the first sites are grown from fewer, see FirstSites.h. */
+  /** Whether a quarter of the first sites is spread before the others join them (FirstSites.h). */
   bool coarseStart = true;
   int lloydIterations = 5;
   QuasiNewtonOptions quasiNewton;
-  /** False: the given sites are final, whatever their cells. */
+  /** False: the given sites stay as they are. No steps move them, and no repair changes them. */
   bool optimize = true;
   VertexPlacement placement = VertexPlacement::Fit;
   /** Sites to start from instead of sampling; n x d, scaled units of the surface. */
   Sites initialSites;
-  /** Whether to take away or add sites until the mesh has `numberOfSites` vertices. */
+  /** Whether sites are added or removed until the mesh has `numberOfSites` vertices. */
   bool exactNumber = false;
   /**
-   * By how many vertices the mesh may exceed the wanted number, where its topology cannot be that
-   * of the surface otherwise.
+   * How many vertices the mesh may have beyond the wanted number, if it takes them to get the
+   * topology of the surface.
    */
   Offset maximumExtraPoints = 0;
-  /** With more components for each vertex's site, the run ends at its first diagram (`fallsApart`).
+  /**
+   * With more components than this for each site, copies of a vertex counted once, the cells have
+   * fallen apart: the run ends at its first diagram, and sets `fallsApart`.
    */
   double mostComponents = std::numeric_limits<double>::infinity();
-  /** How far curves of the mesh may be from those of the surface at most; unit of the points. */
+  /** The largest distance of the mesh's feature curves from the surface's; unit of the points. */
   double mostCurveError = std::numeric_limits<double>::infinity();
-  /** Whether features get more points where they bend; else embedded length alone decides. */
+  /** Whether features get more points where they bend. False: by their length in R^d alone. */
   bool curvesFollowBends = true;
-  /** False: the diagram is freed when the vertices are placed, which leaves room for the rest. */
+  /** False: the diagram is freed once the vertices are placed, as it takes much memory. */
   bool keepDiagram = true;
-  /** Among which the optimisation's integrals are divided; nullptr: this process does it all. */
+  /** The processes that share the optimisation's integrals; nullptr: this process has them all. */
   Ranks* ranks = nullptr;
 };
 }

@@ -25,34 +25,34 @@
 
 namespace remesh
 {
-/** Everything in the scaled units of the embedded surface, but what is in R^3. */
+/** What is in R^d has the scaled units of the embedded surface; what is in R^3, the points'. */
 struct RemeshResult
 {
   Sites sites;
   CellSums sums;
-  PlainSums plainSums;          ///< of the sites, where the surface has a density; else none
+  PlainSums plainSums;          ///< of the sites, not weighted by a density; empty if there is none
   PlainSums plainComponentSums; ///< of the components, likewise
   Diagram diagram;
   Components components;
   FeatureSites featureSites;      ///< the first sites; none without features
-  Offset wantedVertices = 0;      ///< that there should be
-  Offset neededFeaturePoints = 0; ///< that corners and bends of the features take alone
-  double shareApart = 1.0;        ///< of the surface, farther than the spacing from features
-  bool curvesAreApart = false;    ///< as far as that was possible; else there was no room for it
-  Seams seams;                    ///< edges of the mesh along features among it
-  std::vector<SurfaceLocation> locations; ///< of the placed vertices
-  Dual dual;                              ///< its triangles after placement
-  PlacedVertices placement;               ///< of its vertices
+  Offset wantedVertices = 0;      ///< how many vertices the mesh should have
+  Offset neededFeaturePoints = 0; ///< vertices that corners and bends of features take at least
+  double shareApart = 1.0;        ///< of the surface: farther than the spacing from all features
+  bool curvesAreApart = false;    ///< whether all curves were kept apart; false: no room for it
+  Seams seams;                    ///< the mesh's edges along features, and faults there
+  std::vector<SurfaceLocation> locations; ///< K, points of the surface closest to the vertices
+  Dual dual;                              ///< the mesh: its triangles after all repairs
+  PlacedVertices placement;               ///< the mesh: positions of its vertices
   std::vector<Index> numbersOfNeighbors;  ///< n
   std::vector<int> cellColors;            ///< n, few, those of neighbours differ
   std::vector<double> cellAreas;          ///< n, in R^3
   Convergence convergence;
   TopologyResult topology;
   std::optional<TwoSidedDistance> distance; ///< of mesh and surface, where it was measured
-  Index emptyCells = 0;                     ///< of sites that are not on features
-  Index movedSites = 0;                     ///< in repairs; `convergence` ends before them
-  int evaluations = 0;                      ///< diagrams of the whole surface
-  bool fallsApart = false;                  ///< nothing after the first diagram was done then
+  Index emptyCells = 0;                     ///< free sites without a cell
+  Index movedSites = 0;    ///< sites that repairs changed; `convergence` ends before repairs
+  int evaluations = 0;     ///< how often the cells of the whole surface were computed
+  bool fallsApart = false; ///< cells fell apart: the run ended at its first diagram
 
   struct Seconds
   {
@@ -67,17 +67,20 @@ struct RemeshResult
     Seconds& operator+=(const Seconds& other);
   } seconds; ///< wall time of the phases
 
-  /** Sites, the copies of one vertex counted once: as many vertices as there should be. */
+  /** Vertices if each cell is connected: all sites, the copies of one vertex counted once. */
   Offset numberOfVertexSites() const
   {
     return static_cast<Offset>(this->sites.count()) - this->featureSites.sites.count() +
       this->featureSites.numberOfPoints();
   }
 
-  /** Vertices beyond those that there should be; below 0 if there are fewer. */
+  /** Vertices beyond `wantedVertices`; below 0 if there are fewer. */
   Offset extraVertices() const { return this->components.count() - this->wantedVertices; }
 
-  /** Whether these are more than allowed; where features alone take more, they count from there. */
+  /**
+   * Whether there are more extra vertices than allowed. If features alone take more points than
+   * were asked for, those are not counted.
+   */
   bool hasTooManyVertices(const RemeshOptions& options) const
   {
     const Offset beyond = std::max(this->neededFeaturePoints - options.numberOfSites, Offset(0));
@@ -86,8 +89,9 @@ struct RemeshResult
 };
 
 /**
- * What is wrong with the placed mesh. Its repairs have done what they could for the number of
- * points: `pointsOff` is in halves of those asked for, and the rest counts as forced.
+ * What is wrong with the placed mesh, when two whole runs are compared. Repairs have done what they
+ * could for the number of vertices, so a small difference is of no weight: `pointsOff` counts
+ * halves of the wanted number, and is 0 within what is allowed. `pointsForced` is the difference.
  */
 Verdict verdictOf(const RemeshResult& result, const RemeshOptions& options);
 }

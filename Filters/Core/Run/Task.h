@@ -1,6 +1,6 @@
 /**
  * @file Task.h
- * @brief What the steps of the pipeline share.
+ * @brief The input that all steps of a run share, and a stopwatch.
  */
 #ifndef remesh_Task_h
 #define remesh_Task_h
@@ -31,7 +31,7 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/** What all steps work on. */
+/** The input of a run. The steps read it; what they make goes into a RemeshResult. */
 struct Task
 {
   const SurfaceMesh& mesh;
@@ -39,7 +39,7 @@ struct Task
   const Features* features; ///< nullptr: none
   const RemeshOptions& options;
 
-  /** For triangles that face it; made when it is first asked for. */
+  /** Finds closest facets of the whole surface. Made by the first call of `wholeSurface`. */
   mutable std::shared_ptr<const WholeSurface> whole = nullptr;
 
   const WholeSurface& wholeSurface(const RunControl& control) const
@@ -51,14 +51,16 @@ struct Task
     return *this->whole;
   }
 
-  /** Where there are features. */
+  /** Only if there are features. */
   FeaturedSurface featured() const { return { this->mesh, this->surface, *this->features }; }
 
   /**
-   * Of so many vertices, those that features may take so that their curves are kept apart: the rest
-   * of the surface gets half of what it would if all were spread evenly, if not less than a tenth.
+   * How many of the vertices may lie on features, to keep close curves apart. It leaves the part of
+   * the surface that is far from features half of what it would have if all vertices were spread
+   * evenly; at least a tenth of all vertices, and at most four tenths.
    *
-   * @param shareApart of the surface, what is far from features.
+   * @param vertices of the mesh.
+   * @param shareApart from 0 to 1: share of the surface that is far from features.
    */
   Offset mostPointsOnFeatures(Offset vertices, double shareApart) const
   {
@@ -67,8 +69,11 @@ struct Task
   }
 
   /**
-   * Free sites that stay, though cells of several parts make more vertices than asked for. Where
-   * little is far from features, the cells there cover it.
+   * How many free sites are kept, even if cells of several parts make more vertices than asked for.
+   * None if less than three tenths of the surface is far from features: the cells on features cover
+   * it.
+   *
+   * @param shareApart as above.
    */
   Offset leastFreeSites(double shareApart) const
   {

@@ -1,6 +1,6 @@
 /**
  * @file Verdict.h
- * @brief What is wrong with a mesh: the record by which two of them are compared.
+ * @brief What is wrong with a mesh; decides which of two meshes is better.
  */
 #ifndef remesh_Verdict_h
 #define remesh_Verdict_h
@@ -10,31 +10,41 @@
 namespace remesh
 {
 /**
- * What is wrong, the worst first. Of two meshes that is the better one whose first differing entry
- * is lower.
+ * What is wrong with a mesh, the worst first. Two verdicts are compared entry by entry. At the
+ * first entry that differs, the lower one is better.
  *
- * The number of points comes before the topology: while anything fails, more points that do not
- * mend all of it are of no use.
+ * The number of points comes before the topology. Points beyond the number that mend only a part of
+ * what fails are of no use, and would be kept if the topology came first.
+ *
+ * Who makes a verdict fills in what it can see, and leaves the rest at 0. So only verdicts of one
+ * maker are compared:
+ * - of sites, SiteCandidate: all but `crossings` and `refilled`;
+ * - of passes over a placed mesh, MeshCandidate: `inverted` alone; strays are counted there, too,
+ *   when the passes are to mend these;
+ * - of a placed mesh before and after strays were mended, PlacedMesh.cxx: `inverted` and `strays`;
+ * - of whole runs, verdictOf: all but `intrusions`, `crossings` and `reserve`.
+ *
+ * `crossings` is 0 in all of them: CrossingRepair.h counts pairs for itself.
  */
 struct Verdict
 {
-  Offset pointsOff = 0;    ///< vertices too few, or more than there may be
+  Offset pointsOff = 0;    ///< vertices missing, or beyond the most that there may be
   bool isUnproven = false; ///< whether the certificate fails (Certificate.h)
-  Offset pointsForced =
-    0;                   ///< vertices beyond those asked for that features and parts of cells take
+  /** Vertices beyond those asked for, which features or cells of several parts take. */
+  Offset pointsForced = 0;
   Offset intrusions = 0; ///< cells that reach a curve between two of its sites
-  Offset faults = 0;     ///< where the certificate fails
-  Offset inverted = 0;   ///< triangles that face their own cells' facets the wrong way
-  Offset strays = 0;     ///< triangles that face a closer part of the surface the wrong way
-  Offset crossings = 0;  ///< pairs of triangles that go through each other
-  Offset refilled = 0;   ///< triangles that are not the dual's, as else they were inverted
-  Offset reserve = 0;    ///< sites that repairs added: as few as the topology needs
+  Offset faults = 0;     ///< places where the certificate fails
+  Offset inverted = 0;   ///< triangles that face against the facets of their own cells
+  Offset strays = 0;    ///< triangles that face against another part of the surface, that is closer
+  Offset crossings = 0; ///< pairs of triangles that go through each other
+  Offset refilled = 0;  ///< triangles that differ from the dual's, which would be inverted
+  Offset reserve = 0;   ///< sites that repairs added; the fewer the topology needs, the better
 };
 
-/** Whether the first is better. */
+/** Whether `a` is better. */
 bool operator<(const Verdict& a, const Verdict& b);
 
-/** Whether neither is better. */
+/** Whether all entries are equal. */
 bool operator==(const Verdict& a, const Verdict& b);
 }
 
