@@ -1,6 +1,6 @@
 /**
  * @file CavityFilling.h
- * @brief The best triangles for the polygon that some triangles of a mesh fill.
+ * @brief Fills a polygon of a mesh with the best triangles.
  */
 #ifndef remesh_CavityFilling_h
 #define remesh_CavityFilling_h
@@ -13,11 +13,14 @@
 
 namespace remesh
 {
-/** Triangles that hang together, with neither a vertex nor a feature between them. */
+/**
+ * A set of connected triangles that may be replaced. They have no vertex inside, and no two of them
+ * share a feature's edge. So they fill a polygon.
+ */
 struct Cavity
 {
   std::vector<Index> triangles; ///< t, ascending
-  std::vector<Index> loop;      ///< t + 2, the polygon's corners as the triangles turn, each once
+  std::vector<Index> loop;      ///< t + 2, corners of the polygon, in the triangles' orientation
 
   bool has(Index triangle) const
   {
@@ -25,17 +28,17 @@ struct Cavity
   }
 };
 
-/** Triangles to put in the place of as many others, where those of a polygon change at all. */
+/** Triangles that replace as many others. Triangles of the cavity that stay are in neither list. */
 struct Filling
 {
-  int turnedBack = 0; ///< so many fewer are inverted
-  double gain = 0.0;  ///< of the cost
-  std::vector<Index> old;
-  std::vector<Triple> fresh;
-  Offset newEdges = 0;
+  int turnedBack = 0;        ///< how many triangles fewer are inverted or strays
+  double gain = 0.0;         ///< by how much the cost falls
+  std::vector<Index> old;    ///< numbers of the triangles that go
+  std::vector<Triple> fresh; ///< corners of those that come, as many
+  Offset newEdges = 0;       ///< edges that were not there before
 };
 
-/** Finds fillings, and remembers what the triangles in them cost, while no vertex moves. */
+/** Finds fillings. Remembers what triangles cost, so no vertex may move while it is in use. */
 class CavityFiller
 {
 public:
@@ -46,13 +49,17 @@ public:
   }
 
   /**
-   * The triangles of the least cost (RepairedMesh.h; of those that cost the same, the ones of the
-   * best shapes) with no edge that the mesh has elsewhere, by dynamic programming: G. T. Klincsek,
-   * "Minimal triangulations of polygonal domains", 1980. Cost: `stepsFor` the cavity, and a look
-   * for the closest facet for each three corners that were not together before.
+   * Finds the triangles of the least cost (RepairedMesh.h), by dynamic programming (G. T. Klincsek,
+   * "Minimal triangulations of polygonal domains", 1980). Of triangles that cost the same, those of
+   * the best shapes are taken. None gets an edge that the mesh has already outside of the cavity.
+   *
+   * @return empty if no filling costs less than the present triangles.
+   * Cost: `stepsFor` the cavity, and one search for the closest facet for each new triple of
+   * corners.
    */
   Filling fill(const Cavity& cavity);
 
+  /** Steps of the dynamic programming: the cube of the number of corners, over 6. */
   static std::size_t stepsFor(const Cavity& cavity)
   {
     const std::size_t corners = cavity.loop.size();
@@ -60,11 +67,11 @@ public:
   }
 
 private:
-  /** The best triangles between two corners of the loop and those that come between them. */
+  /** The best triangles for a part of the loop: two of its corners, and all between them. */
   struct Section
   {
     double cost;
-    std::size_t apex;
+    std::size_t apex; ///< third corner of the triangle that has the other two
   };
 
   Section& between(std::size_t from, std::size_t to) { return m_sections[from * m_corners + to]; }
@@ -76,8 +83,8 @@ private:
 
   const RepairedMesh& m_mesh;
   std::size_t m_corners = 0;
-  std::vector<Section> m_sections; ///< from, to
-  std::vector<char> m_isEdge;      ///< from, to; 1: of the mesh around the cavity
+  std::vector<Section> m_sections; ///< corners x corners: from, to
+  std::vector<char> m_isEdge;      ///< likewise; 1: the mesh has this edge outside of the cavity
   std::map<Triple, double> m_costs;
 };
 }

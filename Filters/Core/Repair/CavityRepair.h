@@ -1,9 +1,9 @@
 /**
  * @file CavityRepair.h
- * @brief Gives an inverted triangle and some around it other edges, several at once.
+ * @brief Replaces an inverted triangle and a few around it by other triangles.
  *
- * Where all corners are on features, nothing can move, and often no edge flips alone without
- * flipping another triangle.
+ * It is needed where all corners are on features. No vertex can move there, and often a single edge
+ * flip would only invert another triangle: several edges have to change at once.
  */
 #ifndef remesh_CavityRepair_h
 #define remesh_CavityRepair_h
@@ -15,15 +15,17 @@
 namespace remesh
 {
 /**
- * Takes the triangle out, and as few more around it as help, and fills the polygon that they leave
- * anew (CavityFilling.h), such that fewer triangles are inverted; of polygons with as many
- * triangles the one where the cost falls most. Vertices, their places and the topology stay.
+ * Takes out the triangle, and as few around it as it takes. Fills the polygon that they leave with
+ * other triangles, so that fewer are inverted (CavityFilling.h). Of polygons of one size, that is
+ * taken where the cost falls most. Vertices, their places and the topology stay.
  *
- * Strays (StrayTriangles.h) with a corner that may move are left: their own facets agree with them,
- * and there are many beside thin sheets, where the mesh would not be the dual any more.
+ * A stray (StrayTriangles.h) is left alone if one of its corners may move. Its own facets agree
+ * with it. And beside thin sheets there are many strays: with all of them replaced, the mesh would
+ * not be the dual any more.
  *
- * @return whether that helps. Cost: some hundreds of polygons of a few triangles, or fewer that are
- *         larger, where the surface is narrow.
+ * @param triangle inverted, or a stray.
+ * @return whether fewer triangles are inverted now; if not, nothing has changed.
+ * Cost: up to 500 polygons, most of a few triangles.
  */
 bool refillAround(
   const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits);

@@ -12,18 +12,23 @@
 namespace remesh
 {
 /**
- * Where two sheets of the surface, or the sides of a thin one, are closer than chords are to it,
- * triangles of one go through those of the other. For each such pair, other places are tried for
- * its free vertices, those with the most crossings around them first: those of StarRepair.h, and
- * beyond the plane of the other triangle; if none helps, its edges may flip. Each step must leave
- * fewer triangles that cross, and none inverted that was not. Ends when nothing crosses or nothing
- * helps.
+ * Two sheets of the surface may be closer to each other than triangles are to them. Then triangles
+ * of one go through those of the other. For each such pair:
  *
- * @param context with `mayFlip`.
- * @param search of the same mesh; told what changes.
+ * 1. Other places are tried for its free vertices, those with the most crossings around them first:
+ *    the places of StarRepair.h, and one beyond the plane of the other triangle.
+ * 2. If none helps, its edges may flip.
+ *
+ * Each step must leave fewer crossings around the vertex or the edge. It must not invert a
+ * triangle, nor bring a vertex much farther from the surface. Ends when no pair crosses, when
+ * nothing helps, or after four passes over the pairs.
+ *
+ * @param context its `mayFlip` tells whether 2 is done.
+ * @param search of the same mesh; it is told which triangles change.
  * @param pairs that can be parted (PartableCrossings.h).
- * @param edits counts what is done; its inverted triangles are the caller's.
- * Cost: some hundred places for each pair, with a search for the stars' crossings at each.
+ * @param edits gets the steps added; its `inverted` is left as it is.
+ * Cost: some hundred places for each pair, and at each a search for what crosses the triangles
+ * around.
  */
 void repairCrossings(const RepairContext& context,
   const std::vector<std::pair<Index, Index>>& pairs, CrossingSearch& search, RepairedMesh& mesh,

@@ -1,6 +1,6 @@
 /**
  * @file CrossingSearch.h
- * @brief Finds triangles of a mesh that go through each other, while a few of them change.
+ * @brief Finds triangles that go through each other, in a mesh of which a few triangles change.
  */
 #ifndef remesh_CrossingSearch_h
 #define remesh_CrossingSearch_h
@@ -16,38 +16,44 @@
 namespace remesh
 {
 /**
- * Whether an edge of one triangle passes through the inside of the other. Not of those with a
- * common edge, and not within a common plane; where they touch, rounding may decide.
+ * Whether an edge of one triangle passes through the inside of the other. False if they have a
+ * common edge, or lie in a common plane. Where they just touch, rounding may decide.
  *
- * @param first, second ids of the corners, that tell which are common.
+ * @param first, second corners of the two triangles, as numbers into `positions`. Corners with the
+ *        same number are common.
  */
 bool areCrossing(const Triple& first, const Triple& second, const std::vector<Point3>& positions);
 
 /**
- * Triangles are looked up where they are when the search is made; those that have changed since
- * must be named, and are tried one by one: these are to be few.
+ * The constructor puts all triangles into a tree. A triangle that changes later must be named
+ * (`setChanged`): it is tried against each triangle asked about, without the tree. So few may
+ * change.
  */
 class CrossingSearch
 {
 public:
   using Pairs = std::vector<std::pair<Index, Index>>;
 
-  /** @param triangles, positions are read in later calls, as they are then. O(T), in parallel. */
+  /**
+   * Cost: O(T), in parallel.
+   *
+   * @param triangles, positions must outlive it. Later calls read what is in them then.
+   */
   CrossingSearch(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
     const RunControl& control);
 
   /**
-   * All pairs, the lower number first, ascending.
+   * Finds all pairs of triangles that cross: the lower number first, ascending.
    *
    * @return Cancelled; then `pairs` is of no use.
    * Cost: O(T log T) where triangles are about as large as those nearby; in parallel.
    */
   Status find(const RunControl& control, Pairs& pairs) const;
 
-  /** How many triangles go through this one; without those without area, unless they changed. */
+  /** How many triangles go through this one. Those without an area count only if they changed. */
   Offset count(Index triangle) const;
 
-  /** The triangle changes now, or from now on. */
+  /** Must be called for a triangle before the first call that is to see its change. */
   void setChanged(Index triangle);
 
 private:
@@ -55,7 +61,7 @@ private:
     const std::vector<char>& isInTree, const RunControl& control, std::vector<Pairs>& found) const;
   bool findOthers(
     const std::vector<char>& isInTree, const RunControl& control, std::vector<Pairs>& found) const;
-  /** Those that go through a triangle. */
+  /** Calls `visit` with each triangle that goes through this one. */
   template <class Visit>
   void visitCrossing(Index triangle, std::vector<Index>& slots, const Visit& visit) const;
 

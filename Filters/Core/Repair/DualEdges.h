@@ -1,6 +1,6 @@
 /**
  * @file DualEdges.h
- * @brief Gives a repaired mesh the edges of the dual again, where it has no need of others.
+ * @brief Flips edges of a repaired mesh back to those of the dual, where that inverts nothing.
  */
 #ifndef remesh_TurnedEdges_h
 #define remesh_TurnedEdges_h
@@ -13,11 +13,12 @@
 namespace remesh
 {
 /**
- * Turns edges that the dual does not have back to such that it has, where no triangle is inverted
- * by that; again and again, as one may wait for another.
+ * Looks at the edges that the dual does not have. Flips such an edge if the new one is an edge of
+ * the dual, and no triangle is inverted by it. Goes on until no edge can be flipped: one flip may
+ * make room for another.
  *
- * @param dual T, the triangles before edges were turned.
- * @param edits its counts follow.
+ * @param dual T, the triangles before the repairs.
+ * @param edits `flippedEdges` and `inverted` become what they are afterwards.
  * Cost: O(T), and some steps for each triangle that has changed.
  */
 void turnBack(const std::vector<Triple>& dual, RepairedMesh& mesh, MeshEdits& edits);

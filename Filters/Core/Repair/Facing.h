@@ -1,6 +1,6 @@
 /**
  * @file Facing.h
- * @brief Tells which triangles of a dual face the wrong way.
+ * @brief Tells which triangles of a dual will face the wrong way, before its vertices are placed.
  */
 #ifndef remesh_Facing_h
 #define remesh_Facing_h
@@ -12,16 +12,23 @@
 
 namespace remesh
 {
-/** Triangles of the dual, with vertices at the centroids of their cells; ascending. */
+/** Numbers of triangles of the dual, ascending. */
 struct WrongTriangles
 {
-  std::vector<Index> inverted; ///< against their own cells' facets
-  std::vector<Index> strays;   ///< against those of a part of the surface that is closer
+  std::vector<Index> inverted; ///< face against the facets of their own cells, or have no height
+  std::vector<Index> strays;   ///< face against another part of the surface, that is closer
 };
 
 /**
- * The triangles that face the wrong way, or have no height, and that these steps do not turn back.
- * With more strays than `mostStrays` the surface goes through itself, and none are told.
+ * Puts the vertices at the centroids of their cells, and repairs a copy of that mesh by these steps
+ * (MeshRepair.h). Returns the triangles that still face the wrong way then.
+ *
+ * With more strays than `mostStrays` (StrayTriangles.h), the surface goes through itself: no strays
+ * are returned then. With more than a quarter of the triangles inverted, the surface has no sides
+ * to tell: the repair is left out, and all of them are returned.
+ *
+ * @param steps what the repair may do.
+ * @return empty where cancelled.
  */
 WrongTriangles findWrongTriangles(
   const Task& task, MeshSteps steps, const RunControl& control, const RemeshResult& result);

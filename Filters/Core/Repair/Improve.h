@@ -4,16 +4,24 @@
  *
  * A candidate is anything with
  *
- *     Status judge(const RunControl&);   // brings up to date what follows from its edits
- *     Verdict verdict() const;           // what is wrong with it, as judged last; `<` is better
- *     State state() const;               // all that edits change
- *     void restore(const State&);        // to be judged again
+ *     Status judge(const RunControl&);   // finds out what is wrong with it after edits
+ *     Verdict verdict() const;           // what the last call of judge found; `<` is better
+ *     State state() const;               // a copy of all that edits change
+ *     void restore(const State&);        // back to that copy; must be judged again
  *
- * A table has a row for each proposal. In each round the first row that answers what is wrong edits
- * the candidate, which is judged then. Better than the best so far, it is kept. Else the rounds go
- * on from there: some edits spoil what later ones, of this or of other rows, mend. Where a row has
- * edited in vain for longer than its patience, or none answers any more, the candidate goes back to
- * the best state, and the row that left it is not asked again, unless it has another idea.
+ * A table has one row for each proposal. One round:
+ *
+ * 1. The first row is taken whose proposal answers: it has something against what is wrong.
+ * 2. It edits the candidate, and the candidate is judged. A row that finds nothing to do is passed
+ *    over until the candidate has changed.
+ * 3. If the candidate is better than the best state so far, it is the best state now.
+ * 4. Else the rounds go on from there. Some edits spoil what later ones mend, of this row or of
+ *    another.
+ * 5. If the row has edited in vain for longer than its patience, or if no row answers, the
+ *    candidate goes back to the best state. The row that made the first edit after the best state
+ *    is not asked again, unless it has learned something from that.
+ *
+ * It ends when the candidate is in its best state and no row answers.
  */
 #ifndef remesh_Improve_h
 #define remesh_Improve_h
@@ -28,53 +36,59 @@
 
 namespace remesh
 {
+/** One way to change a candidate. */
 template <class Candidate>
 class Proposal
 {
 public:
   virtual ~Proposal() = default;
 
-  /** Whether it has something against what is wrong with the candidate. */
+  /** Whether it may mend something that is wrong with the candidate. */
   virtual bool answers(const Candidate& candidate) const = 0;
 
   /**
    * Edits the candidate.
    *
    * @param edit 0 for the first edit of its row, 1 for the second, and so on.
-   * @param done whether it did; if not, the candidate is as it was.
+   * @param done gets whether it did; if not, the candidate must be as it was.
    */
   virtual Status edit(Candidate& candidate, int edit, const RunControl& control, bool& done) = 0;
 
-  /** Whether its edit, though the candidate may be no better, came nearer to what mends it. */
+  /**
+   * Asked after each of its edits. True if it came nearer to its aim, though the candidate may be
+   * no better yet: then the edit does not count as one in vain.
+   */
   virtual bool nears(const Candidate& /*candidate*/) { return false; }
 
-  /** Whether others may mend what it has spoilt. */
+  /** Whether later edits may mend what it has spoilt. False: back to the best state at once. */
   virtual bool hopes(const Candidate& /*candidate*/) const { return true; }
 
   /**
-   * Looks at what its edits led to before they are undone.
+   * Called before its edits are undone, to learn from what they led to.
    *
-   * @return whether it has another idea.
+   * @return whether it would do something else next time; if not, it is not asked again.
    */
   virtual bool learn(const Candidate& /*candidate*/) { return false; }
 };
 
+/** A line of the table of proposals. */
 template <class Candidate>
 struct Row
 {
-  const char* name;
+  const char* name; ///< as Documentation/Tuning.md has it
   std::unique_ptr<Proposal<Candidate>> proposal;
-  int maxEdits; ///< in all
-  int patience; ///< edits in vain, since the best state, after which it has another
+  int maxEdits; ///< of this row, in all
+  int patience; ///< edits in vain since the best state; one more, and they are undone
 };
 
+/** Makes a candidate better by the rows of a table. */
 template <class Candidate>
 class Improvement
 {
 public:
   using Table = std::vector<Row<Candidate>>;
 
-  /** @param candidate that has been judged. Both must outlive it. */
+  /** @param candidate must have been judged. Both must outlive the improvement. */
   Improvement(Table& table, Candidate& candidate)
     : m_table(table)
     , m_candidate(candidate)
@@ -83,7 +97,12 @@ public:
   {
   }
 
-  /** Until no row answers. The candidate is in its best state then, unless it fails. */
+  /**
+   * Goes on until no row answers. Leaves the candidate in its best state.
+   *
+   * @return what an edit or a judgement returns that fails, or Cancelled; then the candidate is of
+   *         no use.
+   */
   Status run(const RunControl& control)
   {
     for (RunControl rest = control; !rest.cancelled(); rest = rest.step(1, 2))
@@ -118,12 +137,12 @@ private:
   struct Use
   {
     int edits = 0;
-    int vain = 0;          ///< edits since the best state
-    bool declines = false; ///< the candidate as it is
-    bool isSpent = false;
+    int vain = 0;          ///< edits since the best state that did not come nearer
+    bool declines = false; ///< found nothing to do with the candidate as it is
+    bool isSpent = false;  ///< its edits were undone, and it has not learned
   };
 
-  /** The first that answers. */
+  /** The first row that answers, or the number of rows. */
   std::size_t nextRow() const
   {
     std::size_t row = 0;
@@ -177,7 +196,7 @@ private:
     return m_candidate.judge(control);
   }
 
-  /** At the best state. */
+  /** Begins anew, as the candidate is in its best state. */
   void begin()
   {
     m_author = none;
@@ -193,7 +212,7 @@ private:
   std::vector<Use> m_uses;
   std::decay_t<decltype(std::declval<Candidate>().verdict())> m_best;
   decltype(std::declval<Candidate>().state()) m_bestState;
-  std::size_t m_author = none; ///< the row that left the best state
+  std::size_t m_author = none; ///< the row of the first edit after the best state; none: no edit
 };
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file InvertedSearch.h
- * @brief Finds triangles that face against the surface, again and again while the mesh changes.
+ * @brief Finds triangles that face against the surface, in a mesh that changes between searches.
  */
 #ifndef remesh_FlipSearch_h
 #define remesh_FlipSearch_h
@@ -12,27 +12,30 @@
 namespace remesh
 {
 /**
- * Judges a triangle only if it is another than in the search before, or one of its corners has
- * moved since: repairs touch few of them. The surface must be the same.
+ * Remembers the mesh of the last search. A triangle is looked at again only if it has other corners
+ * now, or if one of them has moved. Repairs change few triangles, so a search is cheap.
  */
 class InvertedSearch
 {
 public:
+  /** @param surface must outlive it. */
   explicit InvertedSearch(const NearbySurface& surface)
     : m_surface(surface)
   {
   }
 
   /**
-   * The triangles whose normal makes more than 90 degrees with that of the closest facet of their
-   * cells, or of the whole surface if it is known, or that have none (NearbySurface.h), ascending.
-   * Parallel. O(T), and for each that is judged O(pieces of its cells), and O(log F) if the whole
-   * surface is known; where all are judged, O(pieces of all cells), and that for the few triangles
-   * alone where the cells bend far.
+   * Lists the inverted triangles, ascending: those whose normal makes more than 90 degrees with
+   * that of the closest facet, and those without a normal (NearbySurface.h, which tells among which
+   * facets the closest one is).
    *
    * @param triangles T, as many in each search.
-   * @param suspects T, if given: in the first search, no others are inverted.
-   * @return Cancelled; then `inverted` is of no use.
+   * @param suspects T, or nullptr: in the first search only those marked by 1 are looked at, and no
+   *        others are inverted.
+   * @return Cancelled, then `inverted` is of no use; or success.
+   * Cost, in parallel: O(T), and O(pieces of its cells) for each triangle that is looked at, and
+   * O(log F) for it if the surface is a whole one. A first search without suspects goes over all
+   * pieces once, and then looks closer only at triangles where the cells bend far.
    */
   Status find(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
     const RunControl& control, std::vector<Index>& inverted,
@@ -40,8 +43,8 @@ public:
 
 private:
   const NearbySurface& m_surface;
-  std::vector<char> m_isInverted;  ///< T, as of the last search; none before the first
-  std::vector<Triple> m_triangles; ///< of the last search; none if nothing was inverted
+  std::vector<char> m_isInverted;  ///< T, of the last search; empty before the first
+  std::vector<Triple> m_triangles; ///< of the last search; empty if nothing was inverted
   std::vector<Point3> m_positions; ///< likewise
 };
 }

@@ -17,43 +17,55 @@
 namespace remesh
 {
 /**
- * With more inverted triangles than this, of so many, the surface has no sides to tell, or far too
- * few points: steps that take long are left out, as they would help nothing.
+ * The most inverted triangles for which slow steps are worth their time. With more, the surface has
+ * no sides to tell, or the mesh has far too few points: edges are not flipped, and cavities not
+ * filled.
+ *
+ * @param triangles of the mesh.
  */
 inline Offset maxInverted(Offset triangles)
 {
   return std::max<Offset>(100, triangles / 20);
 }
 
-/** What may change. */
+/** What a repair may do. Each includes those before it. */
 enum class MeshSteps
 {
-  Move,        ///< vertices
-  MoveAndFlip, ///< vertices, and edges of triangles
-  Refill       ///< these, and cavities (CavityRepair.h)
+  Move,        ///< move vertices
+  MoveAndFlip, ///< flip edges, too
+  Refill       ///< replace the triangles of cavities, too (CavityRepair.h)
 };
 
-/** What inverted triangles are told and turned back by. All must outlive it. */
+/** What a repair reads. All must outlive it. */
 struct MeshTask
 {
   const PlacementProblem& problem;
-  const NearbySurface& surface;             ///< triangles are not to face against it
-  const std::vector<Point3>& surfacePlaces; ///< K, the surface's points closest to the centroids
-  const std::vector<Point3>& shapes; ///< K, positions whose triangles' shapes are kept, roughly
+  const NearbySurface& surface;             ///< tells which triangles are inverted
+  const std::vector<Point3>& surfacePlaces; ///< K, points of the surface closest to the centroids
+  const std::vector<Point3>&
+    shapes; ///< K, positions; triangles keep about the shapes they have there
   const RunControl& control;
 };
 
 /**
- * Improves the mesh (Improve.h) by a table of passes over its inverted triangles, in order: they
- * are few. First each step must turn a triangle back: vertices move alone, then together
- * (Untangling.h), then edges flip (not those along features), if the topology stays. Later steps
- * need only lower what triangles deviate from the surface's normals, around a triangle, too, and
- * cavities are filled anew (CavityRepair.h). In the end edges are flipped back where that inverts
+ * Improves the mesh (Improve.h) by a table of passes. Each pass goes over the inverted triangles,
+ * with more effort than the one before:
+ *
+ * 1. Vertices move, one at a time (StarRepair.h).
+ * 2. Vertices around a triangle move together (Untangling.h).
+ * 3. Edges flip, if the topology stays and no feature is lost.
+ * 4. All of this, and what is around the triangle may change, too. Cavities get other triangles
+ *    (CavityRepair.h).
+ *
+ * In 1 to 3 each step must turn a triangle back. In 4 it need only lower the cost of the triangles
+ * (RepairedMesh.h). In the end, edges are flipped back to those of the dual, where that inverts
  * nothing (DualEdges.h).
  *
- * @param search of the same mesh at other times, or a new one.
- * @param triangles T, of `task.problem.triangles`; changed by edge flips.
+ * @param steps which passes there are, and whether cavities are filled.
+ * @param search a new one, or one that has searched earlier states of the same mesh.
+ * @param triangles T, those of `task.problem.triangles` or changed ones; edge flips change them.
  * @param positions K; changed.
+ * @param edits is replaced.
  */
 Status repairMesh(const MeshTask& task, MeshSteps steps, InvertedSearch& search,
   std::vector<Triple>& triangles, std::vector<Point3>& positions, MeshEdits& edits);

@@ -1,9 +1,9 @@
 /**
  * @file PartableCrossings.h
- * @brief Which triangles that go through each other can be parted.
+ * @brief Tells which crossing triangles can be parted.
  *
- * Where the surface goes through itself, so must the mesh: to part its triangles takes hundreds of
- * tries, in vain.
+ * Where the surface goes through itself, so must the mesh. To part triangles there would be
+ * hundreds of tries in vain.
  */
 #ifndef remesh_PartableCrossings_h
 #define remesh_PartableCrossings_h
@@ -19,16 +19,15 @@
 namespace remesh
 {
 /**
- * Finds the pairs that can be parted: those where no facet that the cells of the one triangle meet
- * goes through one that the cells of the other meet.
+ * Finds the pairs that can be parted. Each triangle has the facets that the cells of its corners
+ * meet. A pair can be parted if no facet of one triangle goes through a facet of the other.
  *
  * @param search of the same triangles.
- * @param most with more pairs than this there is no use in any: the search ends.
+ * @param most the search ends when it has found more pairs than this: they are too many to part.
  * @param pairs the lower number first, ascending: all of them, or the first `most` + 1. Replaced.
- * @return Cancelled; then `pairs` is of no use.
- * Deterministic. Cost: that of the search, and for each pair of crossing triangles the facets of
- * their cells, and those pairs of these whose boxes are not apart along an axis; in parallel. Of
- * pairs that can be parted, about a hundred more than `most` are tried, however many there are.
+ * @return Cancelled, then `pairs` is of no use; or success.
+ * Deterministic. Cost: that of `search`, and for each pair of crossing triangles a sort of their
+ * facets and a test of those facets whose boxes meet; in parallel.
  */
 Status findPartable(const PlacementProblem& problem, const CrossingSearch& search,
   const std::vector<Triple>& triangles, Offset most, const RunControl& control,

@@ -13,16 +13,21 @@
 namespace remesh
 {
 /**
- * Turns inverted triangles back (MeshRepair.h), and then those that face other parts of the surface
- * the wrong way, where these are closer than their own, if they are few: keeps nothing that
- * inverts more. Last, triangles that go through each other are parted (CrossingRepair.h).
+ * Repairs the mesh in three steps:
+ *
+ * 1. Inverted triangles are turned back (MeshRepair.h).
+ * 2. Strays are turned back, too, if they are few (StrayTriangles.h). It is done in a copy, which
+ *    is kept if its verdict is better: a stray less is not worth an inverted triangle more.
+ * 3. Triangles that go through each other are parted, if they are few (CrossingRepair.h).
  *
  * @param problem of its diagram only the pieces' facets are read.
- * @param locations K, the points of the surface closest to the centroids; replaced by those closest
- *        to the places, among the facets of the vertex's cell and those around it.
- * @param triangles of `problem.triangles`; a few may change.
- * @param placed with the chosen places; a few may change.
- * Deterministic. Cost: O(pieces + K).
+ * @param way how the vertices were placed.
+ * @param locations K, points of the surface closest to the centroids. Replaced by those closest to
+ *        the vertices, among the facets of a vertex's cell and of the cells around it.
+ * @param triangles T, those of `problem.triangles`; a few may change.
+ * @param placed the positions of the vertices, of which a few may change; the rest is filled in.
+ * @return Cancelled, or success.
+ * Deterministic. Cost: O(pieces + K) where nothing is wrong.
  */
 Status repairPlacedMesh(const PlacementProblem& problem, VertexPlacement way,
   const RunControl& control, std::vector<SurfaceLocation>& locations,

@@ -1,6 +1,6 @@
 /**
  * @file RepairedMesh.h
- * @brief A mesh while inverted triangles are turned back: how bad each is, and what may change.
+ * @brief A mesh that repairs change: what its triangles cost, and which edges may flip.
  */
 #ifndef remesh_RepairedMesh_h
 #define remesh_RepairedMesh_h
@@ -13,16 +13,17 @@
 
 namespace remesh
 {
-/** Above all that the other costs of a star sum to. */
-constexpr double strayCost = 1000.0; ///< of a triangle that faces other parts of the surface
-constexpr double invertedCost = 100.0 * strayCost; ///< its own part: above that of a star of strays
+/** Cost of a stray. More than a star of triangles can cost that face the right way. */
+constexpr double strayCost = 1000.0;
+/** Cost of an inverted triangle. More than a star of strays can cost. */
+constexpr double invertedCost = 100.0 * strayCost;
 
 class RepairedMesh
 {
 public:
   /**
-   * @param shapes K, the positions whose triangles' shapes are to be kept, roughly.
-   * @param triangles, positions are changed as the mesh is.
+   * @param shapes K, positions; triangles are to keep about the shapes they have there.
+   * @param triangles, positions the mesh: changed in place. All must outlive it.
    */
   RepairedMesh(const PlacementProblem& problem, const NearbySurface& surface,
     const std::vector<Point3>& shapes, std::vector<Triple>& triangles,
@@ -32,40 +33,45 @@ public:
   std::vector<Index> star(Index vertex) const;
   /** The other vertices of the triangles of a star, each once, ascending. */
   std::vector<Index> neighbours(Index vertex) const;
-  /** The point of the surface closest to a place, among the cells of a vertex and its neighbours.
-   */
+  /** The point closest to a place on the cells of a vertex and of its neighbours. */
   Point3 onSurface(Index vertex, const Point3& place) const;
 
-  /** Against the surface (NearbySurface.h). */
+  /** Whether it is inverted, or a stray if the surface is a whole one (NearbySurface.h). */
   bool isInverted(const Triple& triangle) const;
-  /** What a triangle deviates from the surface's normal and its shape; far more if it is inverted.
+  /**
+   * How bad a triangle is: its deviation from the surface's normal, from 0 to 2, and a little for
+   * its deviation from the shape in `shapes`. A stray or an inverted triangle costs far more.
    */
   double cost(const Triple& triangle) const;
+  /** The sum over some triangles. */
   double costOfStar(const std::vector<Index>& star) const;
 
-  /** Two triangles, and those that share their four vertices with the other diagonal. */
+  /** Two triangles, and the two that have the same four vertices and the other diagonal. */
   struct EdgeFlip
   {
-    std::array<Index, 2> old;
-    std::array<Triple, 2> fresh;
+    std::array<Index, 2> old;    ///< numbers of the triangles
+    std::array<Triple, 2> fresh; ///< corners that they get
   };
 
   /**
-   * Looks at the edge opposite to corner k of a triangle: whether it can be turned over with no
-   * change of topology and no loss of a feature.
+   * Whether the edge opposite to corner k of a triangle can be flipped: the topology must stay, and
+   * no edge of a feature may be lost.
+   *
+   * @param flip is what `apply` takes, if it can.
    */
   bool canFlip(Index triangle, int k, EdgeFlip& flip) const;
 
-  /** Replaces the two triangles; their stars follow. */
+  /** Flips an edge, and brings the stars up to date. To undo it, apply the opposite flip. */
   void apply(const EdgeFlip& flip);
 
   /**
-   * The triangle on the other side of the edge opposite to corner k of a triangle; noIndex where
-   * that is a feature, or there is not just one other, or it turns the other way.
+   * The triangle on the other side of the edge opposite to corner k of a triangle. noIndex if the
+   * edge is a feature's or the border's, has more than two triangles, or if the other triangle is
+   * oriented the other way.
    */
   Index beyond(Index triangle, int k) const;
 
-  /** Puts triangles in the place of as many others; the stars follow. */
+  /** Replaces triangles by as many others, and brings the stars up to date. */
   void replace(const std::vector<Index>& old, const std::vector<Triple>& fresh);
 
   const std::vector<Triple>& triangles() const { return m_triangles; }
@@ -81,7 +87,7 @@ private:
   std::vector<Triple>& m_triangles;
   std::vector<Point3>& m_positions;
   VertexStars m_stars;
-  std::map<Index, std::vector<Index>> m_changedStars; ///< where edges have been turned
+  std::map<Index, std::vector<Index>> m_changedStars; ///< of vertices where triangles were replaced
   std::set<std::pair<Index, Index>> m_featureEdges;   ///< lower vertex first
 };
 }

@@ -1,11 +1,12 @@
 /**
  * @file ReserveRelease.h
- * @brief Takes sites that repairs added and the topology can do without back to where they matter.
+ * @brief Moves sites that the topology does not need any more to where they are of use.
  *
- * Delaunay refinement closes in on a small handle from far away: most of the sites it adds on the
- * way are of no use once the handle is found, and are missed elsewhere. So some of them, no
- * neighbours of each other, go to the cells with the most energy. Where the certificate fails
- * without them, they stay the next time.
+ * The sites that repairs have added are the *reserve*. Delaunay refinement closes in on a small
+ * handle from far away. Once the handle is found, most of the reserve is of no use there, and is
+ * missed elsewhere. Some of it, no neighbours of each other, is moved to the cells with the most
+ * energy. If the certificate fails then, the edit is undone, and those that were missed stay the
+ * next time.
  */
 #ifndef remesh_ReserveRelease_h
 #define remesh_ReserveRelease_h
@@ -18,19 +19,23 @@
 
 namespace remesh
 {
+/** Answers `reserve` of the verdict. */
 class ReserveRelease : public SiteProposal
 {
 public:
-  /** Where the topology is right, and some sites were added for it. */
+  /** Whether the topology is right, a number of points is kept, and repairs have added sites. */
   bool answers(const SiteCandidate& candidate) const override;
 
-  /** Declines where too few of these sites have small cells to matter. O(P + K log K). */
+  /**
+   * Moves some of the added sites whose cells have little energy. Does nothing if these are too few
+   * to be worth a diagram. O(P + K log K).
+   */
   Status edit(SiteCandidate& candidate, int edit, const RunControl& control, bool& done) override;
 
-  /** Where the topology is still right: the number of vertices can be adjusted. */
+  /** Whether the topology is still right: later edits can put the number of vertices right. */
   bool hopes(const SiteCandidate& candidate) const override;
 
-  /** Which of the sites and places have led to faults. */
+  /** Finds out which sites were missed, and which places were bad. True if it found any. */
   bool learn(const SiteCandidate& candidate) override;
 
 private:
@@ -42,18 +47,20 @@ private:
   Offset numberOfPlaces(const SiteCandidate& candidate) const;
   int failuresOf(const SiteCandidate& candidate, Index site) const;
 
-  std::map<Place, int> m_failures; ///< of sites: how often they were missed
-  std::set<Place> m_badPlaces;     ///< at which faults arose
-  std::set<Place> m_batch;         ///< of sites that failed together, those not to blame
+  std::map<Place, int> m_failures; ///< of a site: how often faults arose where it was missing
+  std::set<Place> m_badPlaces;     ///< where a site was put, and faults arose
+  /** Sites of the last edit that no fault was next to. If there are any, the next edit has these.
+   */
+  std::set<Place> m_batch;
 
-  // Of the last edit, in the numbers of the sites before it.
-  Index m_added = 0;
-  Index m_firstAdded = 0;
+  // Of the last edit. Sites have the numbers that they had before it.
+  Index m_added = 0;      ///< how many sites repairs had added; they are the last ones
+  Index m_firstAdded = 0; ///< the first of these
   std::vector<Index> m_gone;
-  std::vector<Index> m_stayed;                 ///< of those added
-  std::vector<std::vector<Index>> m_neighbors; ///< of each that is gone
-  std::vector<Place> m_rows;                   ///< of those that are gone
-  std::vector<Place> m_places;                 ///< where sites came instead
+  std::vector<Index> m_stayed;                 ///< of the added sites
+  std::vector<std::vector<Index>> m_neighbors; ///< of each site that is gone
+  std::vector<Place> m_rows;                   ///< where those that are gone were
+  std::vector<Place> m_places;                 ///< where sites are put instead
 };
 }
 

@@ -19,6 +19,10 @@ namespace remesh
 /** A copy of all sites, held once for all that need it. */
 using SharedSites = std::shared_ptr<const Sites>;
 
+/**
+ * The candidate of Improve.h that repairs of sites make better. To judge it, the diagram, its
+ * components, its dual and the certificate are made, and the verdict is read from them.
+ */
 class SiteCandidate
 {
 public:
@@ -27,28 +31,34 @@ public:
   {
     SharedSites sites;
     FeatureSites featureSites;
-    Index added = 0;        ///< by repairs; about the last ones there are
-    Offset extraPoints = 0; ///< that the mesh may have beyond those asked for
+    Index added = 0;        ///< sites that repairs added: the last so many, or nearly so
+    Offset extraPoints = 0; ///< vertices that repairs need beyond those asked for
   };
 
   /**
-   * @param othersStay whether nothing changes but what must.
-   * @param result its sites are given. Both must outlive it.
+   * @param othersStay whether edits change nothing but what they must (completeMesh in Remesh.h).
+   * @param result has the sites; `judge` fills in the rest. Both must outlive the candidate.
    */
   SiteCandidate(const Task& task, bool othersStay, RemeshResult& result);
 
-  /** From now on, triangles that face the wrong way are counted, too. */
+  /**
+   * Counts triangles that face the wrong way, now and whenever the candidate is judged. They are
+   * not counted where an entry before them has become worse, as they would not matter then.
+   */
   Status countFacing(const RunControl& control);
 
-  /** Diagram, components, dual and certificate of the sites, and the verdict. */
+  /** Makes diagram, components, dual and certificate of the sites, and the verdict. */
   Status judge(const RunControl& control);
   const Verdict& verdict() const { return m_verdict; }
   State state() const;
   void restore(const State& state);
 
-  /** Whether sites may be changed at all. */
+  /**
+   * Whether repairs may change sites: the run iterates, and the surface has no non-manifold edge or
+   * its features are kept.
+   */
   bool mayChange() const;
-  /** Whether cells fall into so many parts that another surface in R^d is better. */
+  /** Whether cells fall into more parts than RemeshOptions::mostComponents allows. */
   bool fallsApart() const;
 
   const Task& task() const { return m_task; }
@@ -56,52 +66,59 @@ public:
   VertexPlaces places() const { return { m_task.surface, m_result.sites, m_result.diagram }; }
   const Certificate& certificate() const { return m_result.topology.certificate; }
   bool othersStay() const { return m_othersStay; }
+  /** As in State. */
   Index added() const { return m_added; }
+  /** As in State. */
   Offset extraPoints() const { return m_extraPoints; }
-  /** Triangles of the dual that face the wrong way; ascending. */
+  /** Inverted triangles of the dual that placement will not turn back (Facing.h); ascending. */
   const std::vector<Index>& invertedTriangles() const { return m_inverted; }
+  /** Strays, likewise. */
   const std::vector<Index>& strayTriangles() const { return m_strays; }
 
-  /** Vertices that are not of free sites: on features, and for each further part of a cell. */
+  /** Vertices less the free sites: those on features, and one for each further part of a cell. */
   Offset leastVertices() const;
   /**
-   * As many as there shall be: those asked for if they can be reached without too few free sites,
-   * and those added beyond; or those there are, where no number is asked for.
+   * How many vertices the mesh is to have now. If a number is asked for: that number, or more if
+   * too few free sites would be left, and `extraPoints`. If not: as many as there are.
    */
   Offset wantedVertices() const;
-  /** Whether so much of the mesh is wrong that other sites are no use: there are too few. */
-  bool isHopeless(Offset faults) const;
-  /** Mass of the cells at which the certificate fails, in mean cells. */
-  double faultSize() const;
-  /** The sites where cells reach curves that are not theirs, or the certificate fails; ascending.
+  /**
+   * Whether more than a tenth of the vertices have a fault: then the sites are far too few, and to
+   * change some is of no use.
    */
+  bool isHopeless(Offset faults) const;
+  /** Mass of the cells at which the certificate fails, over the mass of a mean cell. */
+  double faultSize() const;
+  /** Sites at which the certificate fails, or whose cells reach a curve of others; ascending. */
   std::vector<Index> failingSites() const;
-  /** Whether curves may get so many places more: free sites stay, and the number is kept. */
+  /** Whether curves may get so many places more: enough free sites stay, and the number is kept. */
   bool hasRoomOnCurves(Offset places) const;
 
   /**
-   * Adds these sites, and others or none, so that the mesh has as many vertices as wanted.
+   * Makes the changes of `refinement`. Then adds or removes other sites, so that the mesh comes to
+   * the wanted number of vertices (SiteRevision.h).
    *
-   * @param failures where sites are not to be taken away.
-   * @param keepAdded whether sites that repairs added are no donors.
-   * @return whether any came or went.
+   * @param failures sites near these are not removed.
+   * @param wanted vertices.
+   * @param keepAdded whether sites that repairs added are not removed, either.
+   * @return whether any site was added or removed.
    */
   bool revise(
     Refinement refinement, const Certificate& failures, Offset wanted, bool keepAdded = true);
 
-  /** The same, but none are taken away, as far as more points are allowed. */
+  /** The same, but no sites are removed for those added, as far as extra points are allowed. */
   bool reviseBeyond(Refinement refinement);
 
   /**
-   * Gives curves places where these reach them, and brings the number of vertices to what it shall
-   * be. Returns whether there are any.
+   * Gives curves new places where cells reach them, and brings the number of vertices to the wanted
+   * one. Returns whether there are new places.
    */
   bool refineCurves(const std::vector<Intrusion>& intrusions, const RunControl& control);
 
-  /** Other sites instead of the present ones, so many of which, the last, repairs added. */
+  /** Replaces all sites. `added` and `extraPoints` as in State. */
   void replaceSites(Sites sites, Index added, Offset extraPoints);
 
-  /** A few of Lloyd's steps around what the last edit changed. */
+  /** Two of Lloyd's steps for the sites around those that changed since the last judgement. */
   Status settle(const RunControl& control);
 
 private:
@@ -116,11 +133,11 @@ private:
   RemeshResult& m_result;
   bool m_othersStay;
   bool m_countsFacing = false;
-  Verdict m_start;             ///< when facing was first counted, without it
-  Offset m_leastFree;          ///< free sites that stay, whatever the number of vertices
-  EdgeTable m_edges;           ///< of the surface, as it is cut
-  std::vector<Index> m_owners; ///< C, of the corners, in the diagram at hand
-  SharedSites m_judged; ///< the sites of the diagram at hand; none as yet, or where none may change
+  Verdict m_start;             ///< before triangles that face the wrong way were first counted
+  Offset m_leastFree;          ///< free sites that stay, see Task::leastFreeSites
+  EdgeTable m_edges;           ///< of the surface, as it is cut open
+  std::vector<Index> m_owners; ///< C, the site nearest to each corner, in the present diagram
+  SharedSites m_judged; ///< sites of the present diagram; nullptr: none, or sites never change
   Index m_added = 0;
   Offset m_extraPoints = 0;
   std::vector<Index> m_inverted;
@@ -128,7 +145,7 @@ private:
   Verdict m_verdict;
 };
 
-/** Components at which the certificate fails; ascending. */
+/** All components that a failure of the certificate names; ascending. */
 std::vector<Index> failingComponents(const Certificate& certificate);
 
 using SiteProposal = Proposal<SiteCandidate>;

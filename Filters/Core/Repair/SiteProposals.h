@@ -1,9 +1,9 @@
 /**
  * @file SiteProposals.h
- * @brief What can be done to sites whose dual is not what it should be.
+ * @brief The ways to change sites whose dual is not what it should be.
  *
- * Each proposal answers one entry of the verdict. SiteRepair.cxx has the table: in which order they
- * are asked, how often, and for which input.
+ * Each proposal answers one entry of the verdict. SiteRepair.cxx has the tables: in which order the
+ * proposals are asked, and how often. Documentation/Tuning.md tells which input needs which.
  */
 #ifndef remesh_SiteProposals_h
 #define remesh_SiteProposals_h
@@ -14,7 +14,10 @@
 
 namespace remesh
 {
-/** A proposal whose first edits are followed by a few of Lloyd's steps around what they changed. */
+/**
+ * A proposal that implements `change`. Its first `settledEdits` edits are followed by two of
+ * Lloyd's steps around what they changed; later ones move nothing else.
+ */
 class SettledProposal : public SiteProposal
 {
 public:
@@ -26,38 +29,39 @@ public:
   Status edit(SiteCandidate& candidate, int edit, const RunControl& control, bool& done) final;
 
 protected:
-  /** Returns whether it changes anything. */
+  /** Changes sites, and returns whether it did. `edit` as in Proposal::edit. */
   virtual bool change(SiteCandidate& candidate, int edit, const RunControl& control) = 0;
 
 private:
   int m_settledEdits;
 };
 
-/** Where cells reach a curve between two of its sites, these join the curve. */
+/** A curve that a cell reaches between two of its sites gets a place there; a free site goes. */
 std::unique_ptr<SiteProposal> joinCurves();
 
-/** How the topology is refined. */
+/** How `refineFaults` works. */
 enum class Refining
 {
-  AddSites,    ///< where the certificate fails, others are taken away
-  CutTips,     ///< the same, but thin tips are left to the cells around them
-  BeyondNumber ///< none are taken away, as far as more points are allowed
+  AddSites,    ///< sites are added where the certificate fails, and others are removed
+  CutTips,     ///< the same, but each fourth edit leaves thin tips to the cells around them
+  BeyondNumber ///< sites are added, and none removed, as far as extra points are allowed
 };
+/** Sites are added where the certificate fails. */
 std::unique_ptr<SiteProposal> refineFaults(Refining how, int settledEdits);
 
-/** Where other cells on features reach a curve, and the certificate fails, it gets places. */
+/** A curve gets a place where the cell of another feature site reaches it, beside a fault. */
 std::unique_ptr<SiteProposal> divideCurves();
 
-/** Sites are added or taken away until the mesh has as many vertices as wanted. */
+/** Sites are added or removed until the mesh has as many vertices as wanted. */
 std::unique_ptr<SiteProposal> adjustNumber(int settledEdits);
 
-/** Curves that are too coarse for inverted triangles get places. */
+/** Curves get places where inverted triangles show that they are too coarse. */
 std::unique_ptr<SiteProposal> divideCurvesAtInverted();
 
-/** Sites where triangles are inverted. */
+/** Sites are added where triangles are inverted, and others removed. */
 std::unique_ptr<SiteProposal> refineInverted();
 
-/** Sites where triangles face another part of the surface the wrong way. */
+/** Sites are added where triangles are strays or inverted, and others removed. */
 std::unique_ptr<SiteProposal> refineStrays();
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file SiteRepair.h
- * @brief From optimised sites to a dual that is like the surface.
+ * @brief Repairs optimised sites until their dual has the topology of the surface.
  */
 #ifndef remesh_SiteRepair_h
 #define remesh_SiteRepair_h
@@ -9,21 +9,25 @@
 
 namespace remesh
 {
-/** What is done until the topology is right and the number of vertices is that asked for. */
+/** The repairs of the topology and of the number of vertices. They come first. */
 SiteTable topologyTable();
 
-/** What is done then, about triangles that face the wrong way, and where that spoils the first. */
+/**
+ * The repairs of triangles that face the wrong way. They come second. Some rows are those of the
+ * first table, to mend what the others spoil.
+ */
 SiteTable facingTable();
 
 /**
- * Diagram, components, dual and certificate of the sites, and what the outputs tell of the cells.
- * Where the verdict finds something wrong, the sites are improved (Improve.h) by the proposals of
- * the first table, and then of the second.
+ * Makes diagram, components, dual and certificate of the sites, and what the outputs tell of the
+ * cells. If something is wrong, the sites are improved (Improve.h), first by `topologyTable`, then
+ * by `facingTable`.
  *
- * @param othersStay from the first edit on, nothing changes but what must.
- * @param result its sites are given, and change.
- * Cost: of the first diagram, a diagram and its dual; of others, the diagram where sites have
- * changed, its dual, and Lloyd's steps on a part of the surface.
+ * @param othersStay whether edits change nothing but what they must, from the first one on.
+ * @param result has the sites, which change; the rest is filled in. With `fallsApart` set, only
+ *        what belongs to the first diagram is.
+ * Cost: a diagram and its dual. For each edit: the diagram where sites have changed, the dual, and
+ * at first two of Lloyd's steps on a part of the surface.
  */
 Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result);
 }

@@ -1,6 +1,6 @@
 /**
  * @file StarRepair.h
- * @brief Turns one inverted triangle back by what is around it.
+ * @brief Turns one inverted triangle back: moves its corners, and flips edges.
  */
 #ifndef remesh_StarRepair_h
 #define remesh_StarRepair_h
@@ -13,27 +13,37 @@
 
 namespace remesh
 {
-/** What a repair reads, and the least gain of a step in the pass it is in. */
+/** What the steps of a pass read. */
 struct RepairContext
 {
   const PlacementProblem& problem;
-  const std::vector<Point3>& surfacePlaces;
+  const std::vector<Point3>& surfacePlaces; ///< K, points of the surface closest to the centroids
   const RunControl& control;
-  bool mayFlip;
+  bool mayFlip; ///< whether edges may flip
+  /** A step must lower the cost (RepairedMesh.h) by at least half of this. */
   double gain;
 };
 
-/** Places for a vertex: around its cell, and between its neighbours. */
+/**
+ * Places to try for a vertex: the centroid of its cell, the point of the surface closest to that,
+ * and the mean of its neighbours.
+ *
+ * @param many whether there are more: the mean brought to the surface, points of the surface
+ *        halfway to each neighbour, and the middles of up to twelve facets of the cell.
+ */
 std::vector<Point3> placesFor(
   const RepairContext& context, Index vertex, bool many, RepairedMesh& mesh);
 
-/** Moves the corners of a triangle, then turns its edges, until it is turned back. */
+/**
+ * Moves the corners of an inverted triangle, one after the other, and then flips its edges if the
+ * context allows it. Ends when the triangle is turned back.
+ */
 void mendTriangle(
   const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits);
 
 /**
- * Moves the corners of a triangle that nothing helps alone, and flips the edges of their stars;
- * undone if it stays inverted.
+ * For an inverted triangle that `mendTriangle` could not turn back: moves its corners, and flips
+ * edges of all triangles around them. All is undone if the triangle stays inverted.
  */
 void mendAround(const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits);
 }

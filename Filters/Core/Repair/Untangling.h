@@ -1,6 +1,6 @@
 /**
  * @file Untangling.h
- * @brief Gives all triangles around an inverted one a positive area, seen from the surface.
+ * @brief Moves the vertices around an inverted triangle together, until none there is inverted.
  */
 #ifndef remesh_Untangling_h
 #define remesh_Untangling_h
@@ -10,18 +10,22 @@
 namespace remesh
 {
 /**
- * Moves the free vertices within a few rings of a triangle together. A triangle's area as it is
- * projected along the surface's normal is linear in each of its corners; vertex by vertex, again
- * and again, the squares of what the areas lack to a small positive value are minimised (untangling
- * as in Freitag and Plassmann, Local optimization-based simplicial mesh untangling and improvement,
- * 2000, with a smooth measure). Vertices move about along the surface, and then back as far as they
- * can.
+ * Moves the free vertices within a few rings of a triangle.
  *
- * @param rings how far around the triangle, from 1.
- * @return the number of vertices moved; 0, and nothing is changed, unless no triangle around is
- *         inverted after, and the surface is about as near; or the run is cancelled.
- * Cost: up to some thousand searches for the surface's closest facet, each among the pieces of a
- * few cells.
+ * 1. Each triangle there has an area as it is seen along the surface's normal. It is below 0 where
+ *    the triangle is inverted, and linear in each of its corners.
+ * 2. Each triangle is to have a small positive area. What it lacks is squared, and the sum of the
+ *    squares is minimised, vertex by vertex, again and again.
+ * 3. In the end, vertices go back towards where they were, as far as no triangle is inverted.
+ *
+ * Vertices keep their height above the surface. The untangling is that of L. Freitag, P. Plassmann,
+ * "Local optimization-based simplicial mesh untangling and improvement", 2000, with a smooth
+ * measure.
+ *
+ * @param rings 1: the corners of the triangle move; 2: their neighbours, too; and so on.
+ * @return the number of vertices that have moved. 0 and no change if a triangle around is still
+ *         inverted, if the surface would be much farther away, or if the run is cancelled.
+ * Cost: up to some thousand searches for the closest facet, each among the pieces of a few cells.
  */
 Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, Index triangle,
   int rings, const RunControl& control, RepairedMesh& mesh);
