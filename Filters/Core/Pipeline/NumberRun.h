@@ -1,7 +1,6 @@
 /**
  * @file NumberRun.h
- * @brief Surface and mesh for a number of sites, or for given ones (ToleranceRun.h: for a
- * distance).
+ * @brief A run for a number of sites, or for given sites. ToleranceRun.h is that for a distance.
  */
 #ifndef remesh_NumberRun_h
 #define remesh_NumberRun_h
@@ -13,28 +12,32 @@
 namespace remesh
 {
 /**
- * Prepares the surface for the sites, and makes the mesh.
+ * Prepares the surface for the sites, and makes the mesh. It may make several meshes, with other
+ * normals, and keeps the one with the best verdict:
  *
- * Where smoothing the normals would flatten few wrinkles (Wrinkles.h), the first mesh is made
- * without it. If its cells fall into many parts, as below, it is not finished, and another is made
- * with smoothed normals; so it is where the mesh has faults, and the better one is kept.
+ * 1. Normals as they are, if smoothing would flatten few wrinkles (Wrinkles.h). Go on with 2 if
+ *    cells fall into many parts, or if the mesh has faults.
+ * 2. Normals smoothed over the usual radius. Noisy normals that count for much give the surface in
+ *    R^d more wrinkles than there are sites, so that cells fall into many parts. If the radius is
+ *    less than the mean spacing in R^d, such a run ends at its first diagram, and 3 follows.
+ * 3. The same with twice, and then with four times the radius. The last one is made to the end.
+ * 4. After 3, if the mesh of a manifold is not certified, or has more points than it may: the run
+ *    of 2 once more, to the end.
  *
- * Where normals are noisy and count for much, the surface in R^d has more wrinkles than there are
- * sites: cells fall into many parts. Such a run ends at its first diagram, and another is made with
- * normals smoothed over twice, then four times the radius, as long as the radius is less than the
- * mean spacing in R^d. If the mesh of a manifold cannot be certified in spite of that, or has
- * more points than it may, the first radius is tried to the end, too, and the better mesh is kept:
- * up to four runs after that without smoothing, and at last three surfaces and meshes in memory.
+ * There is one run alone if the radius or the passes of smoothing are chosen, if normals are given,
+ * if there are sites to start from or coordinate arrays, or without iterations.
  *
- * Only one where the radius or the passes are chosen, where normals are given, where there are
- * sites to start from or further coordinates, and without iterations.
- *
- * @param outcome times and evaluations are of all these runs together.
+ * @param outcome its times and evaluations are those of all runs together.
  * @return as prepareSurface, placeSites and remesh; OutOfMemory where that many sites do not fit.
+ * Cost: one run as a rule, five at most. Memory: three surfaces and meshes at most.
  */
 Status remeshWithNumber(RunRequest request, const RunControl& control, RunOutcome& outcome);
 
-/** What `work` returns, or OutOfMemory, without a message: something is tried beside a mesh. */
+/**
+ * Calls `work`, which tries to make a better mesh while the one at hand is kept.
+ *
+ * @return what it returns; OutOfMemory, without a message, if the memory is not enough for both.
+ */
 template <class Work>
 Status withinMemory(const Work& work)
 {

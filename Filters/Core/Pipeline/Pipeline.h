@@ -8,8 +8,9 @@
  * 3. 1 and 2 are repeated with other normals where the mesh has faults (NumberRun.h).
  * 4. Mesh and surface are compared (MeshDistance.h).
  *
- * With a tolerance, 1 to 3 are run with ever better numbers of points, and sites are added where
- * the mesh is too far, until it is within (ToleranceRun.h).
+ * With a tolerance, 1 to 3 are done for one number of points after the other, each nearer to what
+ * the tolerance takes. Then sites are added where the mesh is too far, until it is within the
+ * tolerance (ToleranceRun.h).
  */
 #ifndef remesh_Pipeline_h
 #define remesh_Pipeline_h
@@ -19,10 +20,10 @@
 namespace remesh
 {
 /**
- * Makes the mesh. Deterministic in the request, for any number of threads.
+ * Makes the mesh. The same request makes the same bytes, for any number of threads and processes.
  *
- * @param outcome is of use where the run succeeds; after an error, `prepared.intake` and the times
- *        are those of what was done.
+ * @param outcome is of use if the run succeeds. After an error only `prepared.intake` and the times
+ *        are: they tell of what was done.
  * @return Cancelled; InvalidInput and EmptyInput of the preparation and the sites; InvalidInput for
  *         a tolerance below 1e-7 of the diagonal; OutOfMemory where that many sites do not fit.
  */

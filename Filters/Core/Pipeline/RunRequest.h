@@ -16,39 +16,42 @@ namespace remesh
 /** A distance of mesh and surface that is asked for instead of a number of points. */
 struct ToleranceRequest
 {
-  double tolerance = 0.0;  ///< 0: none
-  bool isAbsolute = false; ///< in the unit of the points; else a fraction of the diagonal
-  Offset mostPoints = 1000000;
+  double tolerance = 0.0;      ///< 0: none is asked for
+  bool isAbsolute = false;     ///< in the unit of the points; else a fraction of the diagonal
+  Offset mostPoints = 1000000; ///< the run ends there, with a warning
   /** Whether RemeshOptions::maximumExtraPoints is one percent of the number of each run. */
   bool extraIsOnePercent = false;
 };
 
-/** Edges of unit length in the metric, which gives the number of points. */
+/** Edges of the length 1 in a metric are asked for. The metric gives the number of points then. */
 struct UnitRequest
 {
-  bool isUnit = false;
-  double complexity = 0.0; ///< the area that the metric is scaled to; 0: as it is
+  bool isUnit = false;     ///< whether they are asked for
+  double complexity = 0.0; ///< the area that the metric is scaled to; 0: it is not scaled
 };
 
+/** All that a run depends on. */
 struct RunRequest
 {
-  PreparationRequest preparation;  ///< its `numberOfSites` is set by the run
-  RemeshOptions options;           ///< `initialSites` are those of `sites`
-  ToleranceRequest tolerance;      ///< does not count where there are sites
+  PreparationRequest preparation;  ///< the run sets its `numberOfSites`
+  RemeshOptions options;           ///< the run sets its `initialSites`, from `sites`
+  ToleranceRequest tolerance;      ///< is not looked at if there are `sites`
   UnitRequest unit;                ///< instead of `options.numberOfSites`
   std::optional<GivenSites> sites; ///< to start from, instead of `options.numberOfSites`
-  bool measuresDistance = true;    ///< a tolerance is measured in any case
-  double memory = 0.0;             ///< of the machine, bytes; 0: not known, and not asked about
+  bool measuresDistance = true; ///< whether mesh and surface are compared; always for a tolerance
+  double memory = 0.0;          ///< of the machine, bytes; 0: not known, so it is not checked
 
+  /** Whether the number of sites is known; else the tolerance decides on it. */
   bool hasNumber() const { return this->sites || !(this->tolerance.tolerance > 0.0); }
 };
 
+/** All that a run has made. */
 struct RunOutcome
 {
-  PreparedSurface prepared;
-  PlacedSites given; ///< what was read; its sites are moved to the options of the run
-  RemeshResult result;
-  double intakeSeconds = 0.0; ///< wall time of the preparations
+  PreparedSurface prepared;   ///< the surface in R^d, and the warnings so far
+  PlacedSites given;          ///< what was read of `sites`; the coordinates went into the options
+  RemeshResult result;        ///< the mesh
+  double intakeSeconds = 0.0; ///< wall time of the preparations of all runs
 };
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file RunWarnings.h
- * @brief What a user should know of a result that is not as good as it could be.
+ * @brief Tells the user where a result is not what was asked for.
  */
 #ifndef remesh_RunWarnings_h
 #define remesh_RunWarnings_h
@@ -13,7 +13,8 @@
 namespace remesh
 {
 /**
- * In whole sentences, those of the intake first.
+ * The warnings of a run: one string each, of whole sentences. Those that the preparation has made
+ * come first. Documentation/Messages.md explains all of them.
  * Cost: O(F) at most.
  */
 std::vector<std::string> warningsOf(const RunRequest& request, const RunOutcome& outcome);

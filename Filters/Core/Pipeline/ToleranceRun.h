@@ -1,6 +1,6 @@
 /**
  * @file ToleranceRun.h
- * @brief Surface and mesh for a distance, instead of a number of points (ToleranceSearch.h).
+ * @brief A run for a distance, instead of a number of points. Its steps are in ToleranceSearch.h.
  */
 #ifndef remesh_ToleranceRun_h
 #define remesh_ToleranceRun_h
@@ -10,14 +10,16 @@
 namespace remesh
 {
 /**
- * Prepares the surface for the number of points found, with the creases that count for it or for
- * more, and makes the mesh. Two surfaces and meshes are held while more creases are tried. Tells in
- * `outcome.result.distance` what was reached, and by a warning in `outcome.prepared` where that is
- * not the tolerance.
+ * Finds the number of points that the tolerance takes, and makes the mesh. It may count finer
+ * creases as features than that number of points would. `outcome.result.distance` tells what was
+ * reached. If that is not the tolerance, there is a warning in `outcome.prepared`.
  *
- * @param request neither its numbers of sites are looked at, nor are its extra points where they
- *        are one percent of what the runs find. The diagram is kept.
- * @return InvalidInput for a tolerance below 1e-7 of the diagonal, and as the run.
+ * @param request its numbers of sites are not looked at. Nor are its extra points, if they are to
+ *        be one percent of the number. `exactNumber` and `keepDiagram` are replaced: the number is
+ *        not kept, and the diagram is.
+ * @return InvalidInput for a tolerance below 1e-7 of the diagonal, and what remeshWithNumber
+ *         returns.
+ * Memory: two surfaces and meshes while finer creases are tried.
  */
 Status remeshWithin(RunRequest request, const RunControl& control, RunOutcome& outcome);
 }

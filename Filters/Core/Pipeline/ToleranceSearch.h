@@ -2,16 +2,20 @@
  * @file ToleranceSearch.h
  * @brief A mesh within a distance of the surface, with as many points as that takes.
  *
- * 1. A pilot run with few points; the mean distance falls as 1 over their number, which gives the
- *    number for which it is a third of the tolerance: then most of the mesh is within it.
- * 2. That run. Further ones, with the same creases: with more points, if features take most of
- * them; with fewer, while nothing is beyond the tolerance.
- * 3. Where the mesh or the surface is beyond (DistanceLimit.h), sites are added, one in each cell;
- *    two Lloyd steps, diagram, dual and placement follow; again until nothing is beyond.
- * 4. Where that does not end, or takes more points than creases would that were too small for the
- *    number of step 2, and these are where the mesh is far: again from there, with those creases.
+ * 1. A pilot run with few points. The mean distance falls as 1 over their number. So the pilot
+ *    gives the number for which the mean is a third of the tolerance: most of the mesh is within it
+ *    then.
+ * 2. A run with that number. Others may follow, with the same creases: with more points, if
+ *    features take most of them; with fewer, if the mesh is well within the tolerance.
+ * 3. Where mesh or surface is beyond the tolerance (DistanceLimit.h), the cell there gets a site,
+ *    or two where it is far beyond. Two of Lloyd's steps, diagram, dual and placement follow. It is
+ *    repeated until nothing is beyond.
+ * 4. Some creases were too small to count in step 2. They may be the reason why step 3 does not
+ *    end, or takes more points than it would with these creases. If they are where the mesh is far,
+ *    steps 2 and 3 are repeated with them.
  *
- * So the points that single places take are put there, and not spread over the whole surface.
+ * So a place that needs many points gets them there, and they are not spread over all the surface.
+ * This file has steps 1 and 3; ToleranceRun.cxx has all of them in their order.
  */
 #ifndef remesh_ToleranceSearch_h
 #define remesh_ToleranceSearch_h
@@ -20,13 +24,14 @@
 
 namespace remesh
 {
+/** How a refinement ended. */
 struct ToleranceOutcome
 {
   enum How
   {
-    Kept,
-    TooManyPoints, ///< it would take more than allowed
-    Stuck          ///< further points do not help
+    Kept,          ///< nothing is beyond the tolerance: proven
+    TooManyPoints, ///< it would take more points than allowed
+    Stuck          ///< more points do not help
   };
 
   How how = Stuck;
@@ -37,21 +42,28 @@ struct ToleranceOutcome
 struct NumberTrial
 {
   Offset number = 0;      ///< of points
-  double mean = 0.0;      ///< distance, the larger of both ways
-  Offset leastNumber = 0; ///< that features take
+  double mean = 0.0;      ///< mean distance; of mesh to surface and back, the larger one
+  Offset leastNumber = 0; ///< of points that features take
 };
 
-/** Step 1: the number after the pilot. @param request in the unit of the points. */
+/**
+ * Step 1: the number of points for the run after the pilot. At least 4, and so many that features
+ * take six tenths of them at most; but no more than `request.mostPoints`.
+ *
+ * @param request its tolerance is in the unit of the points.
+ */
 Offset numberForTolerance(const NumberTrial& pilot, const ToleranceRequest& request);
 
 /**
- * Step 3, on the outcome of a run for the same request.
+ * Step 3.
  *
- * @param request its tolerance is in the unit of the points; `exactNumber` must be off: points are
- *        added.
- * @param manyPoints with so many it ends, before a round.
+ * @param request its tolerance is in the unit of the points. Its `exactNumber` must be false, as
+ *        points are added.
+ * @param manyPoints no further round begins with so many points.
+ * @param outcome of a run for the same request; changed.
+ * @param reached gets how it ended.
  * @return Cancelled, InvalidInput if the mesh has no area, or success, whatever was reached.
- * Cost: a round takes about as much as three steps of the optimisation and the measuring.
+ * Cost: a round takes about as long as three steps of the optimisation and the measuring.
  */
 Status refineToTolerance(const RunRequest& request, Offset manyPoints, RunControl control,
   RunOutcome& outcome, ToleranceOutcome& reached);
