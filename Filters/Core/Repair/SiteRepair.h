@@ -13,8 +13,8 @@ namespace remesh
 SiteTable topologyTable();
 
 /**
- * The repairs of triangles that face the wrong way. They come second. Some rows are those of the
- * first table, to mend what the others spoil.
+ * The repairs of curves that cells reach, and of triangles that face the wrong way. They come
+ * second. Two rows are those of the first table, to mend what the others spoil.
  */
 SiteTable facingTable();
 
