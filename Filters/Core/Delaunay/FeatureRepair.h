@@ -1,6 +1,6 @@
 /**
  * @file FeatureRepair.h
- * @brief Where other cells reach a feature curve, it gets places between its own.
+ * @brief Gives feature curves new places where cells that are not theirs reach them.
  */
 #ifndef remesh_FeatureRepair_h
 #define remesh_FeatureRepair_h
@@ -10,20 +10,23 @@
 namespace remesh
 {
 /**
- * A site whose cell reaches a curve between two of the curve's sites shows that the curve is too
- * coarse there: the curve gets a place at the point nearest to it, or, if the site is on another
- * curve that meets it in a corner, as far from that (CurveLevel.h). A free site is to go for it, so
- * that the number of vertices stays; one on a feature is not. Each section is divided once at
- * most, where it can be by the cell nearest to its middle.
+ * If a cell reaches a curve between two of the curve's sites, the curve is too coarse there:
  *
- * Then the curves are kept apart again (see separateCurves), those with new places from each other
- * and from the rest, or all where they are not yet; no free site goes for these places.
+ * 1. The curve gets a place at its point nearest to the cell's site. If that site is on another
+ *    curve, which meets this one in a corner, the place is as far from the corner as the site is
+ *    (CurveLevel.h).
+ * 2. If the site is free, it is to go, so that the number of vertices stays. A site on a feature
+ *    stays.
+ * 3. Each section of a curve is divided once at most. If several cells reach it, that one counts
+ *    which is nearest to its middle and can divide it.
+ * 4. Curves are kept apart again (separateCurves): those with new places, or all if they are not
+ *    apart yet. No free site goes for the places that this adds.
  *
- * @param intrusions as the seams have them, or coarse sections.
- * @param areApart the curves were before, as far as that is possible.
- * @param mostPoints vertices on features, to keep curves apart.
- * @param featureSites are brought up to date; `sites` are to follow (replaceFixed).
- * @param joining the free sites that are to go.
+ * @param intrusions those of the seams, or what coarseSections returns.
+ * @param areApart whether the curves were kept apart before, as far as that is possible.
+ * @param mostPoints the most vertices on features that 4 may lead to.
+ * @param featureSites are brought up to date. `sites` must follow: see replaceFixed.
+ * @param joining gets the free sites that are to go.
  * @return the number of new places on the curves.
  */
 Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>& intrusions,
@@ -31,18 +34,18 @@ Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>
   FeatureSites& featureSites, std::vector<Index>& joining);
 
 /**
- * Where inverted triangles show that a curve is too coarse: it passes a corner of theirs
- * (PassedPoints.h), or one joins a section of it with a cell, of another site on a feature, that
- * reaches it.
+ * Finds where inverted triangles show that a curve is too coarse. There are two signs of it: a
+ * chord of the curve passes a corner of such a triangle (PassedPoints.h); or the triangle joins a
+ * section of the curve with the cell of another site on a feature, which reaches the section.
  *
- * @return such cells; for a corner that is passed, its own, with its foot in R^3 and no distance.
- * Of no use when cancelled.
+ * @return for the first sign, the cell of the corner, with its foot in R^3 and no distance; for the
+ *         second, the cell that reaches the section. Of no use when cancelled.
  */
 std::vector<Intrusion> coarseSections(const std::vector<Triple>& inverted,
   const Components& components, const Seams& seams, const FeaturedSurface& featured,
   const FeatureSites& featureSites, const RunControl& control = RunControl());
 
-/** Puts these in the place of the fixed sites. */
+/** Replaces the fixed sites by those of `featureSites`. */
 void replaceFixed(const FeatureSites& featureSites, Sites& sites);
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file SurfacePreparation.h
- * @brief From a surface, its arrays and what is asked for to the surface in R^d.
+ * @brief Makes the surface in R^d, from the caller's triangles, arrays and parameters.
  *
  * 1. Intake: triangles to a clean mesh (Mesh/Intake.h).
  * 2. Features: the mesh is cut open along them.
@@ -32,7 +32,7 @@ namespace remesh
 /** The caller's surface. It is read anew for each preparation, so that no copy of it is held. */
 struct SurfaceSource
 {
-  /** Replaces the triangles; a warning is a sentence, and none is "". */
+  /** Replaces `soup` by the caller's triangles. `warning` is a sentence, or "". */
   std::function<Status(TriangleSoup& soup, std::string& warning)> read;
   Offset numberOfPoints = 0;      ///< P, rows of point arrays
   double precision = DBL_EPSILON; ///< of the coordinates, relative
@@ -41,19 +41,19 @@ struct SurfaceSource
 struct PreparationRequest
 {
   SurfaceSource source;
-  bool gaussMap = true;
-  double anisotropy = 0.04;       ///< fraction of the bounding-box diagonal
-  int normalSmoothingPasses = -1; ///< negative: over the spacing of `numberOfSites`
-  double smoothing = 1.0;         ///< that radius is multiplied by this
-  bool mayStaySharp = true; ///< whether normals are left as they are where they have few wrinkles
-  double smoothingRadius = -1.0; ///< 0 or more: this one instead, whatever the passes
-  Offset numberOfSites = 10000;  ///< that the surface is prepared for
-  Offset sitesForFeatures = 0;   ///< whose spacing tells features from noise; 0: `numberOfSites`
-  double mergeTolerance = 0.0;   ///< fraction of the bounding-box diagonal
-  std::optional<PointArray> normals;   ///< none: estimate
+  bool gaussMap = true;           ///< whether normals are coordinates; false: positions alone
+  double anisotropy = 0.04;       ///< length of a unit normal, as a fraction of the diagonal
+  int normalSmoothingPasses = -1; ///< negative: normals are smoothed over a radius instead
+  double smoothing = 1.0;         ///< factor of that radius, which follows from `numberOfSites`
+  bool mayStaySharp = true;       ///< whether normals with few wrinkles are left as they are
+  double smoothingRadius = -1.0;  ///< 0 or more: the radius, whatever the three fields above are
+  Offset numberOfSites = 10000;   ///< that the surface is prepared for
+  Offset sitesForFeatures = 0;    ///< their spacing tells features from noise; 0: `numberOfSites`
+  double mergeTolerance = 0.0;    ///< fraction of the bounding-box diagonal
+  std::optional<PointArray> normals;   ///< none: they are estimated
   bool normalsRequired = false;        ///< whether unusable normals are an error
-  std::optional<PointArray> embedding; ///< replaces all others
-  std::optional<PointArray> metric;    ///< replaces all others, and the embedding
+  std::optional<PointArray> embedding; ///< instead of positions, normals and `coordinates`
+  std::optional<PointArray> metric;    ///< instead of all of these
   TensorOrder metricOrder = TensorOrder::Vtk;
   int metricDimension = 6;   ///< of the space that the metric is embedded in
   bool limitMetric = true;   ///< to what straight edges can follow, and by its growth
@@ -66,7 +66,7 @@ struct PreparationRequest
   double featureAngle = 35.0;      ///< degrees
   std::vector<Index> cellLabels;   ///< of the caller's cells: features where they change; or empty
   std::optional<PointArray> seams; ///< features where its values jump
-  std::vector<PointArray> carried; ///< to the mesh: those that jump without a seam are told
+  std::vector<PointArray> carried; ///< arrays for the mesh; if they jump beside seams, it is told
 
   /**
    * Whether arrays may be read in place where the embedding has many dimensions, instead of being
@@ -77,7 +77,7 @@ struct PreparationRequest
   int mostKeptDimensions = std::numeric_limits<int>::max();
   bool mayRefine = false; ///< whether facets that are large against the spacing may be split
 
-  /** Those over the rings of corners, where they are asked for. */
+  /** Passes over the corners around each one, if they are asked for and no radius is; else 0. */
   int passesOfSmoothing() const
   {
     return this->smoothingRadius >= 0.0 ? 0 : std::max(0, this->normalSmoothingPasses);
