@@ -2,8 +2,8 @@
  * @file DualEdges.h
  * @brief Flips edges of a repaired mesh back to those of the dual, where that inverts nothing.
  */
-#ifndef remesh_TurnedEdges_h
-#define remesh_TurnedEdges_h
+#ifndef remesh_DualEdges_h
+#define remesh_DualEdges_h
 
 #include "Repair/RepairedMesh.h"
 #include "Run/PlacedVertices.h"

@@ -2,8 +2,8 @@
  * @file InvertedSearch.h
  * @brief Finds triangles that face against the surface, in a mesh that changes between searches.
  */
-#ifndef remesh_FlipSearch_h
-#define remesh_FlipSearch_h
+#ifndef remesh_InvertedSearch_h
+#define remesh_InvertedSearch_h
 
 #include "Placement/NearbySurface.h"
 #include "Support/RunControl.h"
