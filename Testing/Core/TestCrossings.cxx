@@ -164,6 +164,7 @@ void testMending(const PlacementProblem& problem, const RemeshResult& result)
     repairPlacedMesh(problem, VertexPlacement::Fit, RunControl(), locations, triangles, placement)
       .ok());
   CHECK(crossingsOf(triangles, placement.positions).empty());
+  CHECK_EQUAL(placement.crossings, 0);
 }
 
 /** Vertices pushed through the other side of a thin sheet come back, and nothing flips. */

@@ -47,6 +47,9 @@ void testVerdicts()
   RemeshResult lost = flawless();
   lost.topology.mesh.eulerCharacteristic = 0;
   CHECK(verdictOf(lost).isUnproven);
+  RemeshResult crossed = flawless();
+  crossed.placement.crossings = 2;
+  CHECK_EQUAL(verdictOf(crossed).crossings, 2);
   CHECK_EQUAL(verdictOf(lost).faults, 0);
   RemeshResult unproven = flawless();
   unproven.topology.certificate.cells = { 7 };

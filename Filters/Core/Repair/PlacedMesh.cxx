@@ -110,7 +110,8 @@ struct Repair
     const Offset most = mostStrays(static_cast<Offset>(this->triangles.size()));
     Status status =
       findPartable(this->problem, search, this->triangles, most, this->control, pairs);
-    if (!status.ok() || pairs.empty() || static_cast<Offset>(pairs.size()) > most)
+    this->placed.crossings = static_cast<Offset>(pairs.size());
+    if (!status.ok() || pairs.empty() || this->placed.crossings > most)
     {
       return status;
     }
@@ -118,6 +119,12 @@ struct Repair
     RepairedMesh mesh(this->problem, surface, this->start, this->triangles, this->placed.positions);
     repairCrossings({ this->problem, this->onSurface, this->control, true, 0.0 }, pairs, search,
       mesh, this->placed.edits);
+    this->placed.crossings = std::count_if(pairs.begin(), pairs.end(),
+      [&](const std::pair<Index, Index>& pair)
+      {
+        return areCrossing(
+          this->triangles[pair.first], this->triangles[pair.second], this->placed.positions);
+      });
     return this->control.cancelled() ? Status::cancelled() : Status::success();
   }
 };

@@ -26,6 +26,8 @@ struct PlacedVertices
   std::vector<Point3> positions; ///< K, R^3, the unit of the points
   MeshEdits edits;               ///< of all repairs; `edits.inverted` is counted with them
   Offset strays = 0;             ///< triangles that face a closer part of the surface the wrong way
+  /** Pairs of triangles that go through each other, and could be parted (PartableCrossings.h). */
+  Offset crossings = 0;
 };
 }
 

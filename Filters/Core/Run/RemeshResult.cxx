@@ -28,6 +28,7 @@ Verdict verdictOf(const RemeshResult& result, const RemeshOptions& options)
   verdict.faults = result.topology.certificate.violations();
   verdict.inverted = result.placement.edits.inverted;
   verdict.strays = result.placement.strays;
+  verdict.crossings = result.placement.crossings;
   verdict.refilled = result.placement.edits.refilled;
   return verdict;
 }

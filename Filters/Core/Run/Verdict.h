@@ -22,9 +22,7 @@ namespace remesh
  * - of passes over a placed mesh, MeshCandidate: `inverted` alone; strays are counted there, too,
  *   when the passes are to mend these;
  * - of a placed mesh before and after strays were mended, PlacedMesh.cxx: `inverted` and `strays`;
- * - of whole runs, verdictOf: all but `intrusions`, `crossings` and `reserve`.
- *
- * `crossings` is 0 in all of them: CrossingRepair.h counts pairs for itself.
+ * - of whole runs, verdictOf: all but `intrusions` and `reserve`.
  */
 struct Verdict
 {
@@ -36,7 +34,7 @@ struct Verdict
   Offset faults = 0;     ///< places where the certificate fails
   Offset inverted = 0;   ///< triangles that face against the facets of their own cells
   Offset strays = 0;    ///< triangles that face against another part of the surface, that is closer
-  Offset crossings = 0; ///< pairs of triangles that go through each other
+  Offset crossings = 0; ///< pairs of triangles that go through each other, where they need not
   Offset refilled = 0;  ///< triangles that differ from the dual's, which would be inverted
   Offset reserve = 0;   ///< sites that repairs added; the fewer the topology needs, the better
 };
