@@ -224,7 +224,7 @@ void testTracing()
   }
   CHECK_NEAR(worst, 0.0, 1e-12);
   CHECK(refused <= 6);
-  CHECK(ofCorners[2] > 100 && ofCorners[3] > 100); // CornerCells
+  CHECK(ofCorners[2] > 100 && ofCorners[3] > 100);
 }
 }
 

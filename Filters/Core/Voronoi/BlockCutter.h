@@ -5,6 +5,7 @@
 #ifndef remesh_BlockCutter_h
 #define remesh_BlockCutter_h
 
+#include "Voronoi/BatchIntegration.h"
 #include "Voronoi/CellSums.h"
 #include "Voronoi/DiagramBlocks.h"
 #include "Voronoi/FacetDecomposition.h"
@@ -41,6 +42,11 @@ public:
     Offset begin, Offset end, const KeptPieces* kept, BlockSums& sums, DiagramBlock& pieces);
 
 private:
+  /** The site that owns the first corner of a facet. */
+  Index ownerOf(Index facet) const
+  {
+    return m_task.ownership.owners()[m_task.surface.facetCorners[facet][0]];
+  }
   /** The site that owns all corners of a facet, or noIndex. */
   Index ownerOfAll(Index facet) const
   {
@@ -49,14 +55,18 @@ private:
     const Index owner = owners[corners[0]];
     return owner == owners[corners[1]] && owner == owners[corners[2]] ? owner : noIndex;
   }
-  void addWholeFacets(Index begin, Index end, Index owner);
+  void sortFacets(Index begin, Index end);
+  void addWholeFacets();
+  void addWholeFacets(const Index* begin, const Index* end, Index owner);
   void addSharedFacet(Index facet);
   PieceIntegral integralOf(Index facet, const FacetPiece& piece, bool whole) const;
 
   const CutTask& m_task;
   FacetIntegration<D> m_integration;
+  BatchIntegration<D> m_batches;
   FacetDecomposition<D> m_decomposition;
   BlockAccumulator<D> m_accumulator;
+  std::vector<Index> m_facets[4]; ///< of a block, see sortFacets
 };
 
 extern template class BlockCutter<3>;

@@ -115,7 +115,7 @@ void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piec
 }
 
 template <int D>
-void BlockAccumulator<D>::addWholeFacets(Index begin, Index end, Index site)
+void BlockAccumulator<D>::addWholeFacets(const Index* begin, const Index* end, Index site)
 {
   using Coordinates = Eigen::Array<double, D, 1>;
   using Row = Eigen::Map<const Coordinates>;
@@ -127,10 +127,10 @@ void BlockAccumulator<D>::addWholeFacets(Index begin, Index end, Index site)
   double mass = values[0];
   double energy = values[1];
   Coordinates offset(d);
-  for (Index facet = begin; facet < end; ++facet)
+  for (const Index* facet = begin; facet != end; ++facet)
   {
-    const FacetConstants& constants = m_surface.constants[facet];
-    const auto [p0, p1, p2] = m_corners.facet(facet);
+    const FacetConstants& constants = m_surface.constants[*facet];
+    const auto [p0, p1, p2] = m_corners.facet(*facet);
     offset = (Row(p0, d) + Row(p1, d) + Row(p2, d)) * (1.0 / 3.0) - x;
     const double* e = constants.edge2;
     mass += constants.mass;

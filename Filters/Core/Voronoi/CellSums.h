@@ -9,6 +9,7 @@
 #define remesh_CellSums_h
 
 #include "Embedding/CornerReader.h"
+#include "Support/Lanes.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/PieceIntegral.h"
@@ -46,8 +47,18 @@ public:
   void begin(BlockSums& sums);
   void add(Index facet, Index site, const PieceIntegral& piece);
 
-  /** Facets one after the other, wholly in one cell: centroid and second moment say all. */
-  void addWholeFacets(Index begin, Index end, Index site);
+  /** A part with these sums, mass, energy and moment: a column of a batch (FacetBatch.h). */
+  void addColumn(Index site, const double (*sums)[lanes], int lane)
+  {
+    double* values = this->valuesOf(site);
+    for (int k = 0; k < 2 + this->dimension(); ++k)
+    {
+      values[k] += sums[k][lane];
+    }
+  }
+
+  /** Facets that are wholly in one cell: centroid and second moment say all. */
+  void addWholeFacets(const Index* begin, const Index* end, Index site);
 
   /** Ends the block. */
   void finish();

@@ -1,6 +1,5 @@
 #include "Voronoi/Envelope.h"
 
-#include "Voronoi/CornerCells.h"
 #include "Voronoi/EnvelopeBuilder.h"
 
 #include <algorithm>
@@ -202,10 +201,6 @@ struct Tracing : EnvelopeBuilder
         return false; // coincident sites, or a bisector through the corner
       }
       addVertex(k == 0, k == 1, k == 2, owners[k], owners[k], owners[k]);
-    }
-    if (CornerCells(envelope).share(owners))
-    {
-      return true;
     }
     for (int k = 0; k < 3; ++k)
     {

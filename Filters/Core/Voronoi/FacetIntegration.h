@@ -45,6 +45,9 @@ public:
    */
   bool integrate(Index facet);
 
+  /** Those in use, for others that look at the same sites. */
+  BisectorPacks& packs() { return m_packs; }
+
   /** What was found: calls `add(site, integral)` for each part. */
   template <class Add>
   void forEachPart(const FacetConstants& facet, const Add& add) const
