@@ -1,6 +1,6 @@
 #include "Voronoi/BisectorValues.h"
 
-#include "Support/Lanes.h"
+#include "Support/NativeLanes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,13 +15,14 @@ constexpr double unreachable = 1e100;
 
 struct Minimum
 {
+  template <class L>
   [[gnu::always_inline]] static inline double run(const BisectorsAtPoint& task)
   {
     double least = std::numeric_limits<double>::infinity();
     for (int first = 0; first < task.count; first += lanes)
     {
-      Lanes sum{};
-      Lanes row;
+      L sum{};
+      L row;
       const double* column = task.offsets + first;
       for (int m = 0; m < task.dimension; ++m, column += task.stride)
       {
@@ -40,27 +41,30 @@ struct Minimum
 
 struct Packing
 {
+  template <class L>
   [[gnu::always_inline]] static inline void run(const BisectorPack& task)
   {
     const double* x = task.x;
     for (int first = task.first; first < task.last; first += lanes)
     {
       const double* y[lanes];
-      Lanes squared{};
+      double squares[lanes];
       for (int lane = 0; lane < lanes; ++lane)
       {
         const bool empty = first + lane >= task.count;
         y[lane] = empty ? x
                         : task.coordinates +
             static_cast<std::ptrdiff_t>(task.sites[first + lane]) * task.dimension;
-        squared[lane] = empty ? unreachable : 0.0;
+        squares[lane] = empty ? unreachable : 0.0;
       }
+      L squared;
+      load(squares, squared);
       double* to = task.offsets + first;
       for (int m = 0; m < task.dimension; ++m, to += task.stride)
       {
-        const Lanes row = { y[0][m], y[1][m], y[2][m], y[3][m], y[4][m], y[5][m], y[6][m],
-          y[7][m] };
-        const Lanes offsets = row - x[m];
+        L offsets{};
+        readColumn(y, m, offsets);
+        offsets -= x[m];
         store(offsets, to);
         squared += offsets * offsets;
       }
@@ -71,16 +75,17 @@ struct Packing
 
 struct Evaluation
 {
+  template <class L>
   [[gnu::always_inline]] static inline void run(const BisectorValues& task)
   {
     const int d = task.dimension;
     const double* points = task.points;
     for (int first = 0; first < task.count; first += lanes)
     {
-      Lanes sum0{};
-      Lanes sum1{};
-      Lanes sum2{};
-      Lanes row;
+      L sum0{};
+      L sum1{};
+      L sum2{};
+      L row;
       const double* column = task.offsets + first;
       for (int m = 0; m < d; ++m, column += task.stride)
       {
@@ -97,19 +102,17 @@ struct Evaluation
       store(sum0, values);
       store(sum1, values + task.stride);
       store(sum2, values + 2 * task.stride);
-      LaneBits chosen = ~LaneBits{};
+      unsigned chosen = (1U << lanes) - 1U;
       for (int k = 0; k < task.numberOfLimits; ++k)
       {
         const double* limit = task.limits[k];
-        LaneBits below0;
-        LaneBits below1;
-        LaneBits below2;
-        findNegative(sum0 - limit[0], below0);
-        findNegative(sum1 - limit[1], below1);
-        findNegative(sum2 - limit[2], below2);
-        chosen &= below0 | below1 | below2;
+        typename L::Bits below{};
+        addNegative(sum0 - limit[0], below);
+        addNegative(sum1 - limit[1], below);
+        addNegative(sum2 - limit[2], below);
+        chosen &= bitsOf(below);
       }
-      task.chosen[first / lanes] = static_cast<std::uint8_t>(bitsOf(chosen));
+      task.chosen[first / lanes] = static_cast<std::uint8_t>(chosen);
     }
   }
 };
@@ -117,16 +120,16 @@ struct Evaluation
 
 BisectorEvaluation bisectorEvaluation(InstructionSet set)
 {
-  return CompiledFor<Evaluation, const BisectorValues&>::select(set);
+  return CompiledInLanes<Evaluation, const BisectorValues&>::select(set);
 }
 
 BisectorMinimum bisectorMinimum(InstructionSet set)
 {
-  return CompiledFor<Minimum, const BisectorsAtPoint&>::select(set);
+  return CompiledInLanes<Minimum, const BisectorsAtPoint&>::select(set);
 }
 
 BisectorPacking bisectorPacking(InstructionSet set)
 {
-  return CompiledFor<Packing, const BisectorPack&>::select(set);
+  return CompiledInLanes<Packing, const BisectorPack&>::select(set);
 }
 }

@@ -1,5 +1,6 @@
 #include "Voronoi/Envelope.h"
 
+#include "Support/NativeLanes.h"
 #include "Voronoi/EnvelopeBuilder.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ struct OpenEnd
 };
 
 /** One run of the tracing. */
+template <class L>
 struct Tracing : EnvelopeBuilder
 {
   OpenEnd open[Envelope::mostVertices];
@@ -41,7 +43,7 @@ struct Tracing : EnvelopeBuilder
   [[gnu::always_inline]] inline int leastOf(const double* numbers, double tie) const
   {
     double least = never;
-    for (int q = 0; q < envelope.count; q += lanes)
+    for (int q = 0; q < this->envelope.count; q += lanes)
     {
       least = std::min(least, leastOfLanes(numbers + q));
     }
@@ -51,13 +53,13 @@ struct Tracing : EnvelopeBuilder
     }
     const double bound = least + tie;
     std::uint64_t near = 0;
-    for (int q = 0; q < envelope.count; q += lanes)
+    for (int q = 0; q < this->envelope.count; q += lanes)
     {
-      Lanes lead;
-      LaneBits beyond;
+      L lead;
+      typename L::Bits beyond;
       load(numbers + q, lead);
       findNegative(bound - lead, beyond);
-      near |= static_cast<std::uint64_t>(bitsOf(~beyond)) << q;
+      near |= static_cast<std::uint64_t>(bitsOf(beyond) ^ ((1U << lanes) - 1U)) << q;
     }
     return (near & (near - 1)) == 0 ? __builtin_ctzll(near) : -1;
   }
@@ -69,7 +71,7 @@ struct Tracing : EnvelopeBuilder
     {
       if (open[k].left == right && open[k].right == left)
       {
-        addBorder(open[k].vertex, vertex, right, left);
+        this->addBorder(open[k].vertex, vertex, right, left);
         open[k] = open[--numberOpen];
         return;
       }
@@ -81,44 +83,46 @@ struct Tracing : EnvelopeBuilder
   [[gnu::always_inline]] inline bool traceEdge(int k, const int owners[3])
   {
     const int l = (k + 1) % 3;
-    const double* atK = envelope.values[k];
-    const double* atL = envelope.values[l];
+    const double* atK = this->envelope.values[k];
+    const double* atL = this->envelope.values[l];
     double along = 0.0;
     int current = owners[k];
     for (int step = 0; current != owners[l]; ++step)
     {
       const double hereK = atK[current];
       const double hereL = atL[current];
-      for (int q = 0; q < envelope.count; q += lanes)
+      for (int q = 0; q < this->envelope.count; q += lanes)
       {
-        Lanes gapK;
-        Lanes gapL;
-        LaneBits takesOver;
+        L gapK;
+        L gapL;
+        typename L::Bits takesOver;
         load(atK + q, gapK);
         load(atL + q, gapL);
         gapK -= hereK;
         gapL -= hereL;
         findNegative(gapL, takesOver);
-        storeChosen(gapK / (gapK - gapL), takesOver, reached + q);
+        L crossing = gapK / (gapK - gapL);
+        keepChosen(takesOver, never, crossing);
+        store(crossing, reached + q);
       }
       const int next = leastOf(reached, closest);
-      if (next < 0 || step > envelope.count ||
-        envelope.numberOfVertices + 3 > Envelope::mostVertices)
+      if (next < 0 || step > this->envelope.count ||
+        this->envelope.numberOfVertices + 3 > Envelope::mostVertices)
       {
         return false;
       }
       const double crossing = std::clamp(reached[next], along, 1.0);
       if (k == 1)
       {
-        addEdgePiece(along, crossing, current);
+        this->addEdgePiece(along, crossing, current);
       }
-      addEnd(current, next, -1, addCrossing(k, l, crossing, current, next));
+      addEnd(current, next, -1, this->addCrossing(k, l, crossing, current, next));
       along = crossing;
       current = next;
     }
     if (k == 1)
     {
-      addEdgePiece(along, 1.0, current);
+      this->addEdgePiece(along, 1.0, current);
     }
     return true;
   }
@@ -128,8 +132,8 @@ struct Tracing : EnvelopeBuilder
   {
     const int i = end.left;
     const int j = end.right;
-    const auto& values = envelope.values;
-    const double* start = envelope.vertices[end.vertex].b;
+    const auto& values = this->envelope.values;
+    const double* start = this->envelope.vertices[end.vertex].b;
     const double b0 = start[0];
     const double b1 = start[1];
     const double b2 = start[2];
@@ -142,24 +146,26 @@ struct Tracing : EnvelopeBuilder
     const double here0 = values[0][i];
     const double here1 = values[1][i];
     const double here2 = values[2][i];
-    for (int q = 0; q < envelope.count; q += lanes)
+    for (int q = 0; q < this->envelope.count; q += lanes)
     {
-      Lanes d0;
-      Lanes d1;
-      Lanes d2;
+      L d0;
+      L d1;
+      L d2;
       load(values[0] + q, d0);
       load(values[1] + q, d1);
       load(values[2] + q, d2);
       d0 -= here0;
       d1 -= here1;
       d2 -= here2;
-      const Lanes gap = d0 * b0 + d1 * b1 + d2 * b2;
-      const Lanes slope = d0 * way0 + d1 * way1 + d2 * way2;
-      LaneBits falling;
+      const L gap = d0 * b0 + d1 * b1 + d2 * b2;
+      const L slope = d0 * way0 + d1 * way1 + d2 * way2;
+      typename L::Bits falling;
       findNegative(slope, falling);
-      storeChosen(-gap / slope, falling, reached + q);
+      L way = -gap / slope;
+      keepChosen(falling, never, way);
+      store(way, reached + q);
     }
-    for (int q = envelope.count; q % lanes != 0; ++q)
+    for (int q = this->envelope.count; q % lanes != 0; ++q)
     {
       reached[q] = never;
     }
@@ -171,7 +177,7 @@ struct Tracing : EnvelopeBuilder
     }
     const double widest = std::max({ std::abs(way0), std::abs(way1), std::abs(way2) });
     const int third = leastOf(reached, closest / widest);
-    if (third < 0 || envelope.numberOfVertices + 3 > Envelope::mostVertices)
+    if (third < 0 || this->envelope.numberOfVertices + 3 > Envelope::mostVertices)
     {
       return false;
     }
@@ -179,12 +185,12 @@ struct Tracing : EnvelopeBuilder
     const double v0 = b0 + far * way0;
     const double v1 = b1 + far * way1;
     const double v2 = b2 + far * way2;
-    if (!(std::min({ v0, v1, v2 }) > -mostOutside))
+    if (!(std::min({ v0, v1, v2 }) > -this->mostOutside))
     {
       return false;
     }
-    const int vertex = addVertex(v0, v1, v2, i, j, third);
-    addBorder(end.vertex, vertex, i, j);
+    const int vertex = this->addVertex(v0, v1, v2, i, j, third);
+    this->addBorder(end.vertex, vertex, i, j);
     addEnd(i, third, j, vertex);
     addEnd(third, j, i, vertex);
     return true;
@@ -192,15 +198,15 @@ struct Tracing : EnvelopeBuilder
 
   [[gnu::always_inline]] inline bool run()
   {
-    begin();
-    const int* owners = envelope.owners;
+    this->begin();
+    const int* owners = this->envelope.owners;
     for (int k = 0; k < 3; ++k)
     {
       if (owners[k] < 0)
       {
         return false; // coincident sites, or a bisector through the corner
       }
-      addVertex(k == 0, k == 1, k == 2, owners[k], owners[k], owners[k]);
+      this->addVertex(k == 0, k == 1, k == 2, owners[k], owners[k], owners[k]);
     }
     for (int k = 0; k < 3; ++k)
     {
@@ -217,21 +223,22 @@ struct Tracing : EnvelopeBuilder
         return false;
       }
     }
-    return normalize();
+    return this->normalize();
   }
 };
 
 struct TracingRun
 {
+  template <class L>
   [[gnu::always_inline]] static inline bool run(Envelope& envelope)
   {
-    return Tracing(envelope).run();
+    return Tracing<L>(envelope).run();
   }
 };
 }
 
 EnvelopeTracing envelopeTracing(InstructionSet set)
 {
-  return CompiledFor<TracingRun, Envelope&>::select(set);
+  return CompiledInLanes<TracingRun, Envelope&>::select(set);
 }
 }

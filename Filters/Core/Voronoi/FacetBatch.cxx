@@ -12,21 +12,23 @@ constexpr double leastSine = 1e-6;
 constexpr double smallest = std::numeric_limits<double>::min();
 
 /** On the edge from corner k to l. */
-[[gnu::always_inline]] inline void placeOnEdge(int k, int l, const Lanes& along, Places& place)
+template <class L>
+[[gnu::always_inline]] inline void placeOnEdge(int k, int l, const L& along, Places<L>& place)
 {
   place.b[k] = 1.0 - along;
   place.b[l] = along;
-  place.b[3 - k - l] = Lanes{};
+  place.b[3 - k - l] = L{};
 }
 
 /** Of a function with these values at the corners. */
-[[gnu::always_inline]] inline void evaluate(
-  const Places& place, const Lanes values[3], Lanes& value)
+template <class L>
+[[gnu::always_inline]] inline void evaluate(const Places<L>& place, const L values[3], L& value)
 {
   value = place.b[0] * values[0] + place.b[1] * values[1] + place.b[2] * values[2];
 }
 
-[[gnu::always_inline]] inline void subtract(const Shares& part, Shares& shares)
+template <class L>
+[[gnu::always_inline]] inline void subtract(const Shares<L>& part, Shares<L>& shares)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -35,38 +37,31 @@ constexpr double smallest = std::numeric_limits<double>::min();
   shares.quadratic -= part.quadratic;
 }
 
-[[gnu::always_inline]] inline void addNegative(const Lanes& values, LaneBits& any)
-{
-  LaneBits negative;
-  findNegative(values, negative);
-  any |= negative;
-}
-
 /** A bit for each lane without a mark. */
-[[gnu::always_inline]] inline unsigned unmarked(const LaneBits& marks)
+template <class Bits>
+[[gnu::always_inline]] inline unsigned unmarked(const Bits& marks)
 {
   return ~bitsOf(marks) & ((1U << lanes) - 1U);
 }
 
 /** A site that has the triangle which its border with the reference cuts off at its corner. */
-template <int D>
+template <int D, class L>
 struct CutOffCorner
 {
-  Lanes offsets[FacetBatch<D>::room];
-  Lanes values[3];
-  Places crossings[2]; ///< on the edges to the next corner, and to the one after
-  Lanes along[2];
-  Shares shares;
+  L offsets[FacetBatch<D>::room];
+  L values[3];
+  Places<L> crossings[2]; ///< on the edges to the next corner, and to the one after
+  L along[2];
+  Shares<L> shares;
 
   /** Its corner is k, its vertices are from this one on. */
   [[gnu::always_inline]] inline void cut(
-    FacetLanes<D>& facets, int part, int k, int vertex, LaneBits& unclear)
+    FacetLanes<D, L>& facets, int part, int k, int vertex, typename L::Bits& unclear)
   {
     facets.look(part, offsets, values);
-    const Lanes lead = -values[k];
-    const Lanes scale = lead + values[(k + 1) % 3] + values[(k + 2) % 3];
-    Lanes share{};
-    share += 1.0;
+    const L lead = -values[k];
+    const L scale = lead + values[(k + 1) % 3] + values[(k + 2) % 3];
+    L share(1.0);
     addNegative(lead, unclear);
     for (int e = 0; e < 2; ++e)
     {
@@ -75,7 +70,7 @@ struct CutOffCorner
       addNegative(lead + values[l] - smallest, unclear);
       along[e] = lead / (lead + values[l]);
       placeOnEdge(k, l, along[e], crossings[e]);
-      facets.addVertex(vertex + e, crossings[e], Lanes{}, scale);
+      facets.addVertex(vertex + e, crossings[e], L{}, scale);
       share *= along[e];
     }
     facets.addTriangle(k, crossings[0], crossings[1], share, shares);
@@ -86,13 +81,14 @@ struct CutOffCorner
 template <int D>
 struct TwoCells
 {
+  template <class L>
   [[gnu::always_inline]] static inline unsigned run(FacetBatch<D>& batch)
   {
-    FacetLanes<D> facets(batch);
-    LaneBits unclear{};
-    CutOffCorner<D> single;
+    FacetLanes<D, L> facets(batch);
+    typename L::Bits unclear{};
+    CutOffCorner<D, L> single;
     single.cut(facets, 1, 0, 0, unclear);
-    Shares rest;
+    Shares<L> rest;
     facets.addWhole(rest);
     subtract(single.shares, rest);
     facets.addPart(0, rest, nullptr, nullptr);
@@ -103,17 +99,18 @@ struct TwoCells
 template <int D>
 struct Strip
 {
+  template <class L>
   [[gnu::always_inline]] static inline unsigned run(FacetBatch<D>& batch)
   {
-    FacetLanes<D> facets(batch);
-    LaneBits unclear{};
-    CutOffCorner<D> next;
-    CutOffCorner<D> last;
+    FacetLanes<D, L> facets(batch);
+    typename L::Bits unclear{};
+    CutOffCorner<D, L> next;
+    CutOffCorner<D, L> last;
     next.cut(facets, 1, 1, 0, unclear);
     last.cut(facets, 2, 2, 2, unclear);
     // On the edge between them the reference has a part, too.
     addNegative(1.0 - closest - next.along[0] - last.along[1], unclear);
-    Shares rest;
+    Shares<L> rest;
     facets.addWhole(rest);
     subtract(next.shares, rest);
     subtract(last.shares, rest);
@@ -123,20 +120,20 @@ struct Strip
 };
 
 /** Their borders start on one edge each and meet; each has two triangles at its corner. */
-template <int D>
-struct Meeting
+template <int D, class L>
+struct MeetingCells
 {
-  FacetLanes<D> facets;
-  Lanes offsets[2][FacetBatch<D>::room]; ///< of the second and the third site
-  Lanes values[3][3] = {};               ///< by sites; those of the reference are zero
-  Places crossings[3];                   ///< on the edge from corner k to the next
-  Lanes along[3];
-  Lanes levels[3]; ///< at the crossings
-  Places center;
-  Lanes scale{};
-  LaneBits unclear{};
+  FacetLanes<D, L> facets;
+  L offsets[2][FacetBatch<D>::room]; ///< of the second and the third site
+  L values[3][3] = {};               ///< by sites; those of the reference are zero
+  Places<L> crossings[3];            ///< on the edge from corner k to the next
+  L along[3];
+  L levels[3]; ///< at the crossings
+  Places<L> center;
+  L scale{};
+  typename L::Bits unclear{};
 
-  [[gnu::always_inline]] inline explicit Meeting(FacetBatch<D>& batch)
+  [[gnu::always_inline]] inline explicit MeetingCells(FacetBatch<D>& batch)
     : facets(batch)
   {
     facets.look(1, offsets[0], values[1]);
@@ -147,15 +144,15 @@ struct Meeting
   {
     const int l = (k + 1) % 3;
     const int m = (k + 2) % 3;
-    const Lanes lead = values[l][k] - values[k][k];
-    const Lanes lag = values[k][l] - values[l][l];
+    const L lead = values[l][k] - values[k][k];
+    const L lag = values[k][l] - values[l][l];
     along[k] = lead / (lead + lag);
     placeOnEdge(k, l, along[k], crossings[k]);
     scale += lead + lag;
     addNegative(lead - smallest, unclear);
     addNegative(lag - smallest, unclear);
     // The third may have a part of this edge, or comes close to it.
-    Lanes third;
+    L third;
     evaluate(crossings[k], values[m], third);
     evaluate(crossings[k], values[k], levels[k]);
     third -= levels[k] + closest * (lead + lag);
@@ -168,10 +165,10 @@ struct Meeting
   {
     const auto& p = values[1];
     const auto& q = values[2];
-    const Lanes c[3] = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+    const L c[3] = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
       p[0] * q[1] - p[1] * q[0] };
-    const Lanes sum = c[0] + c[1] + c[2];
-    const Lanes lengths =
+    const L sum = c[0] + c[1] + c[2];
+    const L lengths =
       (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
     addNegative(sum * sum - leastSine * leastSine * lengths - smallest, unclear);
     for (int k = 0; k < 3; ++k)
@@ -183,13 +180,13 @@ struct Meeting
 
   [[gnu::always_inline]] inline void addParts()
   {
-    Shares rest;
+    Shares<L> rest;
     facets.addWhole(rest);
     for (int k = 0; k < 2; ++k)
     {
       const int l = (k + 1) % 3;
       const int m = (k + 2) % 3;
-      Shares corner;
+      Shares<L> corner;
       facets.addTriangle(k, crossings[k], center, along[k] * center.b[m], corner);
       facets.addTriangle(k, center, crossings[m], center.b[l] * (1.0 - along[m]), corner);
       subtract(corner, rest);
@@ -200,7 +197,7 @@ struct Meeting
 
   [[gnu::always_inline]] static inline unsigned run(FacetBatch<D>& batch)
   {
-    Meeting three(batch);
+    MeetingCells three(batch);
     for (int k = 0; k < 3; ++k)
     {
       three.cross(k);
@@ -210,9 +207,19 @@ struct Meeting
     {
       three.facets.addVertex(k, three.crossings[k], three.levels[k], three.scale);
     }
-    three.facets.addVertex(3, three.center, Lanes{}, three.scale);
+    three.facets.addVertex(3, three.center, L{}, three.scale);
     three.addParts();
     return unmarked(three.unclear);
+  }
+};
+
+template <int D>
+struct Meeting
+{
+  template <class L>
+  [[gnu::always_inline]] static inline unsigned run(FacetBatch<D>& batch)
+  {
+    return MeetingCells<D, L>::run(batch);
   }
 };
 
@@ -220,15 +227,16 @@ struct Meeting
 template <int D, int Vertices>
 struct Rivals
 {
+  template <class L>
   [[gnu::always_inline]] static inline int run(const FacetRivals<D>& task)
   {
     const FacetBatch<D>& batch = task.batch;
     const int d = D == Eigen::Dynamic ? batch.dimension : D;
-    LaneBits marked{};
+    typename L::Bits marked{};
     for (int first = 0; first < task.count; first += lanes)
     {
-      Lanes below[Vertices] = {};
-      Lanes row;
+      L below[Vertices] = {};
+      L row;
       const double* column = task.offsets + first;
       for (int m = 0; m < d; ++m, column += task.stride)
       {
@@ -239,17 +247,14 @@ struct Rivals
         }
       }
       load(column, row);
-      LaneBits any{};
+      typename L::Bits any{};
       for (int v = 0; v < Vertices; ++v)
       {
         addNegative(row - below[v] - batch.levels[v][task.lane], any);
       }
-      marked -= any; // all bits: minus one
+      count(any, marked);
     }
-    unsigned long long counts[lanes];
-    std::memcpy(counts, &marked, sizeof counts);
-    return static_cast<int>(((counts[0] + counts[1]) + (counts[2] + counts[3])) +
-      ((counts[4] + counts[5]) + (counts[6] + counts[7])));
+    return sumOf(marked);
   }
 };
 }
@@ -262,16 +267,16 @@ FacetKernels<D> FacetKernels<D>::of(FacetPattern pattern, InstructionSet set)
   switch (pattern)
   {
     case FacetPattern::TwoCells:
-      return { CompiledFor<TwoCells<D>, Batch>::select(set),
-        CompiledFor<Rivals<D, 2>, Task>::select(set) };
+      return { CompiledInLanes<TwoCells<D>, Batch>::select(set),
+        CompiledInLanes<Rivals<D, 2>, Task>::select(set) };
     case FacetPattern::Meeting:
-      return { CompiledFor<Meeting<D>, Batch>::select(set),
-        CompiledFor<Rivals<D, 4>, Task>::select(set) };
+      return { CompiledInLanes<Meeting<D>, Batch>::select(set),
+        CompiledInLanes<Rivals<D, 4>, Task>::select(set) };
     case FacetPattern::Strip:
       break;
   }
-  return { CompiledFor<Strip<D>, Batch>::select(set),
-    CompiledFor<Rivals<D, 4>, Task>::select(set) };
+  return { CompiledInLanes<Strip<D>, Batch>::select(set),
+    CompiledInLanes<Rivals<D, 4>, Task>::select(set) };
 }
 
 template struct FacetKernels<3>;

@@ -2,11 +2,12 @@
  * @file FacetLanes.h
  * @brief What all patterns of FacetBatch.h share: corners and sites in lanes, vertices, parts.
  *
- * All of it is inlined into functions that are compiled for a set of instructions (Lanes.h).
+ * All of it is inlined into functions that are compiled for a set of instructions (NativeLanes.h).
  */
 #ifndef remesh_FacetLanes_h
 #define remesh_FacetLanes_h
 
+#include "Support/NativeLanes.h"
 #include "Voronoi/FacetBatch.h"
 
 namespace remesh
@@ -16,36 +17,32 @@ constexpr double closest = 1e-9;
 /** Far above the rounding of values, in parts of a vertex's squared distance. */
 constexpr double relativeRounding = 1e-13;
 
-[[gnu::always_inline]] inline void readColumn(const double* const* rows, int m, Lanes& column)
-{
-  column = Lanes{ rows[0][m], rows[1][m], rows[2][m], rows[3][m], rows[4][m], rows[5][m],
-    rows[6][m], rows[7][m] };
-}
-
 /** A point in each facet. */
+template <class L>
 struct Places
 {
-  Lanes b[3];
+  L b[3];
 };
 
 /** The integrals of a part but for the facet's mass. */
+template <class L>
 struct Shares
 {
-  Lanes weights[3]{}; ///< of the barycentric coordinates
-  Lanes quadratic{};  ///< of sum b_k b_l |p_k - p_l|^2
+  L weights[3]{}; ///< of the barycentric coordinates
+  L quadratic{};  ///< of sum b_k b_l |p_k - p_l|^2
 };
 
 /** What both ways to share have in common. */
-template <int D>
+template <int D, class L>
 struct FacetLanes
 {
   FacetBatch<D>& batch;
   int d;
-  Lanes from[FacetBatch<D>::room];  ///< the reference
-  Lanes at[3][FacetBatch<D>::room]; ///< corners, from the reference
-  Lanes squared[3];
-  Lanes mass;
-  Lanes edge2[3];
+  L from[FacetBatch<D>::room];  ///< the reference
+  L at[3][FacetBatch<D>::room]; ///< corners, from the reference
+  L squared[3];
+  L mass;
+  L edge2[3];
 
   [[gnu::always_inline]] inline explicit FacetLanes(FacetBatch<D>& given)
     : batch(given)
@@ -55,7 +52,7 @@ struct FacetLanes
     for (int k = 0; k < 3; ++k)
     {
       load(batch.edge2[k], edge2[k]);
-      squared[k] = Lanes{};
+      squared[k] = L{};
     }
     for (int m = 0; m < d; ++m)
     {
@@ -70,10 +67,10 @@ struct FacetLanes
   }
 
   /** Offsets of another site, and its values at the corners. */
-  [[gnu::always_inline]] inline void look(int other, Lanes offsets[], Lanes values[3])
+  [[gnu::always_inline]] inline void look(int other, L offsets[], L values[3])
   {
-    Lanes length2{};
-    Lanes along[3] = {};
+    L length2{};
+    L along[3] = {};
     for (int m = 0; m < d; ++m)
     {
       readColumn(batch.sites[other], m, offsets[m]);
@@ -92,12 +89,12 @@ struct FacetLanes
 
   /** A vertex of the cells with a level but for the margins; `scale`: the owners' differences. */
   [[gnu::always_inline]] inline void addVertex(
-    int vertex, const Places& place, const Lanes& level, const Lanes& scale)
+    int vertex, const Places<L>& place, const L& level, const L& scale)
   {
-    Lanes length2{};
+    L length2{};
     for (int m = 0; m < d; ++m)
     {
-      const Lanes offset = place.b[0] * at[0][m] + place.b[1] * at[1][m] + place.b[2] * at[2][m];
+      const L offset = place.b[0] * at[0][m] + place.b[1] * at[1][m] + place.b[2] * at[2][m];
       length2 += offset * offset;
       store(2.0 * offset, batch.vertices[vertex][m]);
     }
@@ -105,7 +102,7 @@ struct FacetLanes
     store(level + closest * scale + relativeRounding * length2, batch.levels[vertex]);
   }
 
-  [[gnu::always_inline]] inline void addQuadratic(const Places& p, double factor, Lanes& sum) const
+  [[gnu::always_inline]] inline void addQuadratic(const Places<L>& p, double factor, L& sum) const
   {
     sum += factor *
       (p.b[0] * p.b[1] * edge2[0] + p.b[1] * p.b[2] * edge2[1] + p.b[2] * p.b[0] * edge2[2]);
@@ -113,15 +110,15 @@ struct FacetLanes
 
   /** Adds the triangle between corner k and two places. */
   [[gnu::always_inline]] inline void addTriangle(
-    int k, const Places& p, const Places& q, const Lanes& share, Shares& shares) const
+    int k, const Places<L>& p, const Places<L>& q, const L& share, Shares<L>& shares) const
   {
-    Places center;
+    Places<L> center;
     for (int c = 0; c < 3; ++c)
     {
       center.b[c] = (p.b[c] + q.b[c] + (c == k ? 1.0 : 0.0)) * (1.0 / 3.0);
       shares.weights[c] += share * center.b[c];
     }
-    Lanes sum{};
+    L sum{};
     addQuadratic(p, 1.0 / 12.0, sum);
     addQuadratic(q, 1.0 / 12.0, sum);
     addQuadratic(center, 9.0 / 12.0, sum);
@@ -129,9 +126,9 @@ struct FacetLanes
   }
 
   /** Adds the whole facet. */
-  [[gnu::always_inline]] inline void addWhole(Shares& shares) const
+  [[gnu::always_inline]] inline void addWhole(Shares<L>& shares) const
   {
-    for (Lanes& weight : shares.weights)
+    for (L& weight : shares.weights)
     {
       weight += 1.0 / 3.0;
     }
@@ -140,24 +137,22 @@ struct FacetLanes
 
   /** Writes the sums of a site with these offsets from the reference, or none, and values. */
   [[gnu::always_inline]] inline void addPart(
-    int part, const Shares& shares, const Lanes* offsets, const Lanes* values)
+    int part, const Shares<L>& shares, const L* offsets, const L* values)
   {
-    Lanes weights[3];
-    Lanes energy = -shares.quadratic;
+    L weights[3];
+    L energy = -shares.quadratic;
     for (int k = 0; k < 3; ++k)
     {
       weights[k] = mass * shares.weights[k];
       energy += shares.weights[k] * (values ? squared[k] + values[k] : squared[k]);
     }
-    LaneBits negative;
-    findNegative(energy, negative);
-    replaceChosen(Lanes{}, negative, energy);
-    const Lanes sum = weights[0] + weights[1] + weights[2];
+    keepPositive(energy);
+    const L sum = weights[0] + weights[1] + weights[2];
     store(sum, batch.sums[part][0]);
     store(mass * energy, batch.sums[part][1]);
     for (int m = 0; m < d; ++m)
     {
-      const Lanes moment = weights[0] * at[0][m] + weights[1] * at[1][m] + weights[2] * at[2][m];
+      const L moment = weights[0] * at[0][m] + weights[1] * at[1][m] + weights[2] * at[2][m];
       store(offsets ? moment - sum * offsets[m] : moment, batch.sums[part][2 + m]);
     }
   }

@@ -1,5 +1,7 @@
 #include "Voronoi/SiteDistances.h"
 
+#include "Support/NativeLanes.h"
+
 #include <cstddef>
 
 namespace remesh
@@ -8,15 +10,16 @@ namespace
 {
 struct Evaluation
 {
+  template <class L>
   [[gnu::always_inline]] static inline void run(const SiteDistances& task)
   {
     const double* from = task.coordinates;
     for (int group = 0; group < task.numberOfGroups; ++group)
     {
-      Lanes sum{};
+      L sum{};
       for (int k = 0; k < task.dimension; ++k, from += lanes)
       {
-        Lanes difference;
+        L difference;
         load(from, difference);
         difference -= task.point[k];
         sum += difference * difference;
@@ -29,6 +32,6 @@ struct Evaluation
 
 SiteDistanceEvaluation siteDistanceEvaluation(InstructionSet set)
 {
-  return CompiledFor<Evaluation, const SiteDistances&>::select(set);
+  return CompiledInLanes<Evaluation, const SiteDistances&>::select(set);
 }
 }
