@@ -23,7 +23,9 @@ struct Tally
   int ofThree = 0; ///< the same of three
   int doneOfTwo = 0;
   int doneOfThree = 0;
-  int others = 0; ///< facets with another part, too
+  int ofThird = 0; ///< facets of two owners and one other site
+  int doneOfThird = 0;
+  int others = 0; ///< facets with more parts
   int different = 0;
   double worst = 0.0;
 };
@@ -106,9 +108,13 @@ private:
     }
     Parts found;
     const bool done = this->integrate({ facet }, count, InstructionSet::Baseline, found);
-    (parts > count ? tally.others : count == 2 ? tally.ofTwo : tally.ofThree) += 1;
-    (count == 2 ? tally.doneOfTwo : tally.doneOfThree) += done;
-    tally.different += done && parts > count;
+    const bool third = count == 2 && parts == 3;
+    (third              ? tally.ofThird
+        : parts > count ? tally.others
+        : count == 2    ? tally.ofTwo
+                        : tally.ofThree) += 1;
+    (third ? tally.doneOfThird : count == 2 ? tally.doneOfTwo : tally.doneOfThree) += done;
+    tally.different += done && parts > static_cast<int>(found.size());
     for (const InstructionSet set : test::availableSets())
     {
       Parts others;
@@ -183,7 +189,8 @@ void compare(const EmbeddedSurface& surface, const Sites& sites, Tally& tally)
 void print(const char* name, const Tally& tally)
 {
   std::cout << name << ": " << tally.doneOfTwo << " of " << tally.ofTwo << " between two, "
-            << tally.doneOfThree << " of " << tally.ofThree << " among three, " << tally.others
+            << tally.doneOfThree << " of " << tally.ofThree << " among three, " << tally.doneOfThird
+            << " of " << tally.ofThird << " with a third, " << tally.others
             << " others; difference " << tally.worst << "\n";
 }
 
@@ -208,6 +215,8 @@ void testRandomSites()
   CHECK(tally.ofTwo > 2000 && tally.ofThree > 1000 && tally.others > 1000);
   CHECK(tally.doneOfTwo * 10 > tally.ofTwo * 9);
   CHECK(tally.doneOfThree * 10 > tally.ofThree * 8);
+  CHECK(tally.ofThird > 500);
+  CHECK(tally.doneOfThird * 10 > tally.ofThird * 7);
 }
 
 /** Sites on corners, twins, borders through corners: refused or right. */

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace remesh
 {
@@ -15,9 +16,9 @@ BatchIntegration<D>::BatchIntegration(const EmbeddedSurface& surface, const Site
   , m_owners(owners)
   , m_packs(packs)
 {
-  for (const FacetPattern pattern :
-    { FacetPattern::TwoCells, FacetPattern::Meeting, FacetPattern::Strip })
+  for (int k = 0; k < numberOfPatterns; ++k)
   {
+    const auto pattern = static_cast<FacetPattern>(k);
     Collection& collection = this->of(pattern);
     collection.pattern = pattern;
     collection.parts = pattern == FacetPattern::TwoCells ? 2 : 3;
@@ -36,6 +37,7 @@ void BatchIntegration<D>::put(
   const Triple& corners = m_surface.facetCorners[facet];
   const FacetConstants& constants = m_surface.constants[facet];
   collection.facets[lane] = facet;
+  collection.first[lane] = first;
   batch.mass[lane] = constants.mass;
   for (int k = 0; k < 3; ++k)
   {
@@ -63,15 +65,28 @@ void BatchIntegration<D>::collect(Index facet, Collection& collection) const
   this->put(facet, single, sites, collection);
 }
 
+/** Where a facet is put that is shared in another way than its collection's; null: nowhere. */
+template <int D>
+typename BatchIntegration<D>::Collection* BatchIntegration<D>::collectAgain(
+  const Collection& collection, int lane)
+{
+  switch (collection.pattern)
+  {
+    case FacetPattern::TwoCells:
+      return collection.rivals[lane] == 2 ? this->collectThird(collection, lane) : nullptr;
+    case FacetPattern::Meeting:
+      return this->collectStrip(collection, lane);
+    default:
+      return nullptr;
+  }
+}
+
 /** Of three that do not meet, one may lie between the others: the one that has a part of the edge
  *  between them. */
 template <int D>
-bool BatchIntegration<D>::collectStrip(const Collection& collection, int lane)
+typename BatchIntegration<D>::Collection* BatchIntegration<D>::collectStrip(
+  const Collection& collection, int lane)
 {
-  if (collection.pattern != FacetPattern::Meeting)
-  {
-    return false;
-  }
   int middle = -1;
   for (int k = 0; k < 3; ++k)
   {
@@ -79,24 +94,79 @@ bool BatchIntegration<D>::collectStrip(const Collection& collection, int lane)
     {
       if (middle >= 0)
       {
-        return false;
+        return nullptr;
       }
       middle = (k + 2) % 3;
     }
   }
   if (middle < 0)
   {
-    return false;
+    return nullptr;
   }
   const Index sites[3] = { collection.sites[middle][lane], collection.sites[(middle + 1) % 3][lane],
     collection.sites[(middle + 2) % 3][lane] };
-  this->put(collection.facets[lane], middle, sites, this->of(FacetPattern::Strip));
-  return true;
+  Collection& strips = this->of(FacetPattern::Strip);
+  this->put(collection.facets[lane], middle, sites, strips);
+  return &strips;
 }
 
-/** Whether none but the owners has a part: seen from the reference, those alone are so near. */
+/** A third site may have one end of the border between two, or all of it. */
 template <int D>
-bool BatchIntegration<D>::isClear(const Collection& collection, int lane)
+typename BatchIntegration<D>::Collection* BatchIntegration<D>::collectThird(
+  const Collection& collection, int lane)
+{
+  bool below[2];
+  const Index third = this->findThird(collection, lane, below);
+  if (third == noIndex)
+  {
+    return nullptr;
+  }
+  const Index facet = collection.facets[lane];
+  const Index sites[3] = { collection.sites[0][lane], collection.sites[1][lane], third };
+  Collection& to = this->of(below[0] && below[1] ? FacetPattern::Band : FacetPattern::Notch);
+  this->put(facet, collection.first[lane], sites, to);
+  if (!below[0])
+  {
+    // The end is on the other edge: a mirror image.
+    const int last = to.count - 1;
+    std::swap(to.batch.corners[1][last], to.batch.corners[2][last]);
+    std::swap(to.batch.edge2[0][last], to.batch.edge2[2][last]);
+  }
+  return &to;
+}
+
+/** The neighbour that is below at one of the two vertices, and not the second site. */
+template <int D>
+Index BatchIntegration<D>::findThird(const Collection& collection, int lane, bool below[2])
+{
+  const FacetBatch<D>& batch = collection.batch;
+  const NeighborList list = m_lists.list(collection.sites[0][lane]);
+  const Index count = std::min(collection.seen[lane], list.count);
+  const double* offsets = m_packs.of(collection.sites[0][lane], count);
+  const int stride = m_packs.stride();
+  for (Index entry = 0; entry < count; ++entry)
+  {
+    for (int v = 0; v < 2; ++v)
+    {
+      double value = offsets[m_surface.dimension * stride + entry];
+      for (int m = 0; m < m_surface.dimension; ++m)
+      {
+        value -= batch.vertices[v][m][lane] * offsets[m * stride + entry];
+      }
+      below[v] = value < batch.levels[v][lane];
+    }
+    if ((below[0] || below[1]) && list.sites[entry] != collection.sites[1][lane])
+    {
+      return list.sites[entry];
+    }
+  }
+  return noIndex;
+}
+
+/** How many may have a part beside the reference; more than all if its list is too short to tell.
+ */
+template <int D>
+int BatchIntegration<D>::countRivals(Collection& collection, int lane)
 {
   const FacetBatch<D>& batch = collection.batch;
   double squared = std::max(batch.squared[0][lane], batch.squared[1][lane]);
@@ -108,7 +178,7 @@ bool BatchIntegration<D>::isClear(const Collection& collection, int lane)
   double farthest = 0.0;
   if (!m_lists.holds(reference, 2.0 * std::sqrt(squared) * aboveRounding, farthest))
   {
-    return false;
+    return m_lists.longest() + 1;
   }
   const NeighborList list = m_lists.list(reference);
   Index count = 0;
@@ -116,8 +186,9 @@ bool BatchIntegration<D>::isClear(const Collection& collection, int lane)
   {
     count += lanes;
   }
-  return collection.kernels.countRivals({ batch, lane, m_packs.of(reference, count),
-           m_packs.stride(), count }) == collection.parts - 1;
+  collection.seen[lane] = count;
+  return collection.kernels.countRivals(
+    { batch, lane, m_packs.of(reference, count), m_packs.stride(), count });
 }
 
 /** Returns a bit for each facet that is done. */
@@ -142,7 +213,9 @@ unsigned BatchIntegration<D>::work(Collection& collection)
   unsigned clear = collection.kernels.share(batch);
   for (int lane = 0; lane < collection.count; ++lane)
   {
-    if ((clear >> lane & 1U) != 0 && !this->isClear(collection, lane))
+    const bool plain = (clear >> lane & 1U) != 0;
+    collection.rivals[lane] = plain ? this->countRivals(collection, lane) : 0;
+    if (collection.rivals[lane] != collection.parts - 1)
     {
       clear &= ~(1U << lane);
     }

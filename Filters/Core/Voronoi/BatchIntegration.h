@@ -47,7 +47,10 @@ public:
       this->emptyIfFull(collection, add, refused);
     }
     this->empty(collection, add, refused);
-    this->empty(this->of(FacetPattern::Strip), add, refused);
+    for (Collection& later : m_collections)
+    {
+      this->empty(later, add, refused); // facets that were found to be shared in another way
+    }
   }
 
 private:
@@ -59,16 +62,22 @@ private:
     FacetKernels<D> kernels;
     int count = 0;
     Index facets[lanes];
+    int first[lanes]; ///< corner
     Index sites[3][lanes];
+    int rivals[lanes]; ///< of the reference, if the sites part in the plain way
+    Index seen[lanes]; ///< neighbours that were asked
     FacetBatch<D> batch;
   };
 
   Collection& of(FacetPattern pattern) { return m_collections[static_cast<int>(pattern)]; }
   void collect(Index facet, Collection& collection) const;
   void put(Index facet, int first, const Index sites[3], Collection& collection) const;
-  bool collectStrip(const Collection& collection, int lane);
+  Collection* collectAgain(const Collection& collection, int lane);
+  Collection* collectStrip(const Collection& collection, int lane);
+  Collection* collectThird(const Collection& collection, int lane);
+  Index findThird(const Collection& collection, int lane, bool below[2]);
   unsigned work(Collection& collection);
-  bool isClear(const Collection& collection, int lane);
+  int countRivals(Collection& collection, int lane);
 
   template <class Add>
   void emptyIfFull(Collection& collection, const Add& add, std::vector<Index>& refused)
@@ -92,9 +101,9 @@ private:
           add(collection.sites[part][lane], collection.batch.sums[part], lane);
         }
       }
-      else if (this->collectStrip(collection, lane))
+      else if (Collection* other = this->collectAgain(collection, lane))
       {
-        this->emptyIfFull(this->of(FacetPattern::Strip), add, refused);
+        this->emptyIfFull(*other, add, refused);
       }
       else
       {
@@ -109,7 +118,7 @@ private:
   const NeighborLists& m_lists;
   const std::vector<Index>& m_owners;
   BisectorPacks& m_packs;
-  Collection m_collections[3]; ///< by pattern
+  Collection m_collections[numberOfPatterns]; ///< by pattern
 };
 
 extern template class BatchIntegration<3>;

@@ -6,44 +6,6 @@ namespace remesh
 {
 namespace
 {
-/** Borders meet in a clear place only if the sine of their angle, in barycentric coordinates, is
- *  larger. */
-constexpr double leastSine = 1e-6;
-constexpr double smallest = std::numeric_limits<double>::min();
-
-/** On the edge from corner k to l. */
-template <class L>
-[[gnu::always_inline]] inline void placeOnEdge(int k, int l, const L& along, Places<L>& place)
-{
-  place.b[k] = 1.0 - along;
-  place.b[l] = along;
-  place.b[3 - k - l] = L{};
-}
-
-/** Of a function with these values at the corners. */
-template <class L>
-[[gnu::always_inline]] inline void evaluate(const Places<L>& place, const L values[3], L& value)
-{
-  value = place.b[0] * values[0] + place.b[1] * values[1] + place.b[2] * values[2];
-}
-
-template <class L>
-[[gnu::always_inline]] inline void subtract(const Shares<L>& part, Shares<L>& shares)
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    shares.weights[k] -= part.weights[k];
-  }
-  shares.quadratic -= part.quadratic;
-}
-
-/** A bit for each lane without a mark. */
-template <class Bits>
-[[gnu::always_inline]] inline unsigned unmarked(const Bits& marks)
-{
-  return ~bitsOf(marks) & ((1U << lanes) - 1U);
-}
-
 /** A site that has the triangle which its border with the reference cuts off at its corner. */
 template <int D, class L>
 struct CutOffCorner
@@ -73,7 +35,7 @@ struct CutOffCorner
       facets.addVertex(vertex + e, crossings[e], L{}, scale);
       share *= along[e];
     }
-    facets.addTriangle(k, crossings[0], crossings[1], share, shares);
+    facets.addCorner(k, crossings[0], crossings[1], share, shares);
     facets.addPart(part, shares, offsets, values);
   }
 };
@@ -160,24 +122,6 @@ struct MeetingCells
     addNegative(third, unclear);
   }
 
-  /** The point as far from all three. */
-  [[gnu::always_inline]] inline void meet()
-  {
-    const auto& p = values[1];
-    const auto& q = values[2];
-    const L c[3] = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
-      p[0] * q[1] - p[1] * q[0] };
-    const L sum = c[0] + c[1] + c[2];
-    const L lengths =
-      (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-    addNegative(sum * sum - leastSine * leastSine * lengths - smallest, unclear);
-    for (int k = 0; k < 3; ++k)
-    {
-      center.b[k] = c[k] / sum;
-      addNegative(center.b[k], unclear);
-    }
-  }
-
   [[gnu::always_inline]] inline void addParts()
   {
     Shares<L> rest;
@@ -187,8 +131,8 @@ struct MeetingCells
       const int l = (k + 1) % 3;
       const int m = (k + 2) % 3;
       Shares<L> corner;
-      facets.addTriangle(k, crossings[k], center, along[k] * center.b[m], corner);
-      facets.addTriangle(k, center, crossings[m], center.b[l] * (1.0 - along[m]), corner);
+      facets.addCorner(k, crossings[k], center, along[k] * center.b[m], corner);
+      facets.addCorner(k, center, crossings[m], center.b[l] * (1.0 - along[m]), corner);
       subtract(corner, rest);
       facets.addPart(k, corner, k == 0 ? nullptr : offsets[0], k == 0 ? nullptr : values[1]);
     }
@@ -202,7 +146,7 @@ struct MeetingCells
     {
       three.cross(k);
     }
-    three.meet();
+    findMeeting(three.values[1], three.values[2], three.center, three.unclear);
     for (int k = 0; k < 3; ++k)
     {
       three.facets.addVertex(k, three.crossings[k], three.levels[k], three.scale);
@@ -220,6 +164,136 @@ struct Meeting
   [[gnu::always_inline]] static inline unsigned run(FacetBatch<D>& batch)
   {
     return MeetingCells<D, L>::run(batch);
+  }
+};
+
+/** The second site has corner 0, and a third one is between it and the reference there. */
+template <int D, class L>
+struct ThirdBetween
+{
+  FacetLanes<D, L> facets;
+  L offsets[2][FacetBatch<D>::room]; ///< of the second and the third site
+  L values[2][3];
+  L gaps[3]; ///< of the third one above the second
+  L scale{};
+  typename L::Bits unclear{};
+
+  [[gnu::always_inline]] inline explicit ThirdBetween(FacetBatch<D>& batch)
+    : facets(batch)
+  {
+    facets.look(1, offsets[0], values[0]);
+    facets.look(2, offsets[1], values[1]);
+    for (int k = 0; k < 3; ++k)
+    {
+      gaps[k] = values[1][k] - values[0][k];
+      scale += (k == 0 ? -1.0 : 1.0) * values[0][k];
+      addNegative((k == 0 ? -1.0 : 1.0) * values[0][k], unclear);
+    }
+  }
+
+  /** On the edge from corner 0 to l: the ends of the third one's part. */
+  [[gnu::always_inline]] inline void cross(int l, L& begin, L& end)
+  {
+    findZero(gaps[0], -gaps[l], begin, unclear);
+    findZero(-values[1][0], values[1][l], end, unclear);
+  }
+
+  [[gnu::always_inline]] inline void addVertexOfSecond(int vertex, const Places<L>& place)
+  {
+    L level;
+    evaluate(place, values[0], level);
+    facets.addVertex(vertex, place, level, scale);
+  }
+
+  /** What the second and the third one have, and the reference has the rest. */
+  [[gnu::always_inline]] inline void addParts(const Shares<L>& second, const Shares<L>& third)
+  {
+    Shares<L> rest;
+    facets.addWhole(rest);
+    subtract(second, rest);
+    subtract(third, rest);
+    facets.addPart(0, rest, nullptr, nullptr);
+    facets.addPart(1, second, offsets[0], values[0]);
+    facets.addPart(2, third, offsets[1], values[1]);
+  }
+};
+
+template <int D>
+struct Notch
+{
+  template <class L>
+  [[gnu::always_inline]] static inline unsigned run(FacetBatch<D>& batch)
+  {
+    ThirdBetween<D, L> cells(batch);
+    const auto& second = cells.values[0];
+    L begin;
+    L end;
+    L along[2]; // to where the second one would meet the reference
+    Places<L> places[2];
+    Places<L> ends[2];
+    Places<L> center;
+    cells.cross(1, begin, end);
+    for (int e = 0; e < 2; ++e)
+    {
+      findZero(-second[0], second[e + 1], along[e], cells.unclear);
+      placeOnEdge(0, e + 1, along[e], places[e]);
+    }
+    placeOnEdge(0, 1, begin, ends[0]);
+    placeOnEdge(0, 1, end, ends[1]);
+    findMeeting(second, cells.values[1], center, cells.unclear);
+    addNegative(along[0] - begin, cells.unclear);
+    addNegative(end - along[0], cells.unclear);
+    L above; // of the third one, where the others' border ends
+    evaluate(places[1], cells.values[1], above);
+    addNegative(above - closest * cells.scale, cells.unclear);
+    cells.addVertexOfSecond(0, ends[0]);
+    cells.facets.addVertex(1, ends[1], L{}, cells.scale);
+    cells.facets.addVertex(2, center, L{}, cells.scale);
+    cells.facets.addVertex(3, places[1], L{}, cells.scale);
+    Shares<L> corner;
+    Shares<L> ofSecond; // what the third one takes
+    Shares<L> third;
+    cells.facets.addCorner(0, places[0], places[1], along[0] * along[1], corner);
+    cells.facets.addTriangle(
+      ends[0], places[0], center, (along[0] - begin) * center.b[2], ofSecond);
+    cells.facets.addTriangle(ends[0], ends[1], center, (end - begin) * center.b[2], third);
+    subtract(ofSecond, corner);
+    cells.addParts(corner, third);
+    return unmarked(cells.unclear);
+  }
+};
+
+template <int D>
+struct Band
+{
+  template <class L>
+  [[gnu::always_inline]] static inline unsigned run(FacetBatch<D>& batch)
+  {
+    ThirdBetween<D, L> cells(batch);
+    Places<L> begins[2];
+    Places<L> ends[2];
+    L nearShare(1.0);
+    L farShare(1.0);
+    for (int e = 0; e < 2; ++e)
+    {
+      L begin;
+      L end;
+      cells.cross(e + 1, begin, end);
+      addNegative(end - begin - closest, cells.unclear);
+      placeOnEdge(0, e + 1, begin, begins[e]);
+      placeOnEdge(0, e + 1, end, ends[e]);
+      cells.addVertexOfSecond(e, begins[e]);
+      cells.facets.addVertex(2 + e, ends[e], L{}, cells.scale);
+      nearShare *= begin;
+      farShare *= end;
+    }
+    Shares<L> second;
+    Shares<L> third;
+    cells.facets.addCorner(0, begins[0], begins[1], nearShare, second);
+    cells.facets.addCorner(0, ends[0], ends[1], farShare, third);
+    subtract(second, third);
+    cells.addParts(second, third);
+    return unmarked(cells.unclear);
   }
 };
 
@@ -264,19 +338,23 @@ FacetKernels<D> FacetKernels<D>::of(FacetPattern pattern, InstructionSet set)
 {
   using Batch = FacetBatch<D>&;
   using Task = const FacetRivals<D>&;
+  const RivalCount<D> count = pattern == FacetPattern::TwoCells
+    ? CompiledInLanes<Rivals<D, 2>, Task>::select(set)
+    : CompiledInLanes<Rivals<D, 4>, Task>::select(set);
   switch (pattern)
   {
     case FacetPattern::TwoCells:
-      return { CompiledInLanes<TwoCells<D>, Batch>::select(set),
-        CompiledInLanes<Rivals<D, 2>, Task>::select(set) };
+      return { CompiledInLanes<TwoCells<D>, Batch>::select(set), count };
     case FacetPattern::Meeting:
-      return { CompiledInLanes<Meeting<D>, Batch>::select(set),
-        CompiledInLanes<Rivals<D, 4>, Task>::select(set) };
+      return { CompiledInLanes<Meeting<D>, Batch>::select(set), count };
     case FacetPattern::Strip:
+      return { CompiledInLanes<Strip<D>, Batch>::select(set), count };
+    case FacetPattern::Notch:
+      return { CompiledInLanes<Notch<D>, Batch>::select(set), count };
+    case FacetPattern::Band:
       break;
   }
-  return { CompiledInLanes<Strip<D>, Batch>::select(set),
-    CompiledInLanes<Rivals<D, 4>, Task>::select(set) };
+  return { CompiledInLanes<Band<D>, Batch>::select(set), count };
 }
 
 template struct FacetKernels<3>;

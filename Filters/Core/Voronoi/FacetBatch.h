@@ -12,6 +12,7 @@
  * 4. the sums of each part, as BlockSums has them.
  *
  * Three that do not meet on the facet leave two borders, which part the middle one from the others.
+ * A third one without a corner has a triangle on the border between two, or all of it.
  *
  * Functions on a facet are affine here: another site has no part if it is above at all vertices of
  * the cells, and below none of the levels there (FacetRivals). BatchIntegration asks for it.
@@ -62,8 +63,11 @@ enum class FacetPattern
 {
   TwoCells, ///< the second site owns corner 0, the reference the others
   Meeting,  ///< each of three owns its corner, and they meet in a point
-  Strip     ///< the same, but the reference lies between the others, which do not meet
+  Strip,    ///< the same, but the reference lies between the others, which do not meet
+  Notch,    ///< as two cells, but a third one has the end of their border on the edge at corner 0
+  Band      ///< as two cells, but a third one lies between them
 };
+constexpr int numberOfPatterns = 5;
 
 /** The neighbours of a lane's reference, packed (BisectorPacks.h). */
 template <int D>

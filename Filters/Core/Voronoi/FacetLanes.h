@@ -10,12 +10,18 @@
 #include "Support/NativeLanes.h"
 #include "Voronoi/FacetBatch.h"
 
+#include <limits>
+
 namespace remesh
 {
 /** Only who is farther above than this part of the owners' differences is clearly above. */
 constexpr double closest = 1e-9;
 /** Far above the rounding of values, in parts of a vertex's squared distance. */
 constexpr double relativeRounding = 1e-13;
+/** Borders meet in a clear place only if the sine of their angle, in barycentric coordinates, is
+ *  larger. */
+constexpr double leastSine = 1e-6;
+constexpr double smallest = std::numeric_limits<double>::min();
 
 /** A point in each facet. */
 template <class L>
@@ -108,21 +114,31 @@ struct FacetLanes
       (p.b[0] * p.b[1] * edge2[0] + p.b[1] * p.b[2] * edge2[1] + p.b[2] * p.b[0] * edge2[2]);
   }
 
-  /** Adds the triangle between corner k and two places. */
-  [[gnu::always_inline]] inline void addTriangle(
-    int k, const Places<L>& p, const Places<L>& q, const L& share, Shares<L>& shares) const
+  /** Adds a triangle that is this share of the facet. */
+  [[gnu::always_inline]] inline void addTriangle(const Places<L>& p, const Places<L>& q,
+    const Places<L>& r, const L& share, Shares<L>& shares) const
   {
     Places<L> center;
     for (int c = 0; c < 3; ++c)
     {
-      center.b[c] = (p.b[c] + q.b[c] + (c == k ? 1.0 : 0.0)) * (1.0 / 3.0);
+      center.b[c] = (p.b[c] + q.b[c] + r.b[c]) * (1.0 / 3.0);
       shares.weights[c] += share * center.b[c];
     }
     L sum{};
     addQuadratic(p, 1.0 / 12.0, sum);
     addQuadratic(q, 1.0 / 12.0, sum);
+    addQuadratic(r, 1.0 / 12.0, sum);
     addQuadratic(center, 9.0 / 12.0, sum);
     shares.quadratic += share * sum;
+  }
+
+  /** The triangle between corner k and two places. */
+  [[gnu::always_inline]] inline void addCorner(
+    int k, const Places<L>& p, const Places<L>& q, const L& share, Shares<L>& shares) const
+  {
+    Places<L> corner{};
+    corner.b[k] = L(1.0);
+    this->addTriangle(p, q, corner, share, shares);
   }
 
   /** Adds the whole facet. */
@@ -157,6 +173,67 @@ struct FacetLanes
     }
   }
 };
+
+/** On the edge from corner k to l. */
+template <class L>
+[[gnu::always_inline]] inline void placeOnEdge(int k, int l, const L& along, Places<L>& place)
+{
+  place.b[k] = 1.0 - along;
+  place.b[l] = along;
+  place.b[3 - k - l] = L{};
+}
+
+/** Of a function with these values at the corners. */
+template <class L>
+[[gnu::always_inline]] inline void evaluate(const Places<L>& place, const L values[3], L& value)
+{
+  value = place.b[0] * values[0] + place.b[1] * values[1] + place.b[2] * values[2];
+}
+
+template <class L>
+[[gnu::always_inline]] inline void subtract(const Shares<L>& part, Shares<L>& shares)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    shares.weights[k] -= part.weights[k];
+  }
+  shares.quadratic -= part.quadratic;
+}
+
+/** The point where two functions are zero, from their values at the corners. */
+template <class L>
+[[gnu::always_inline]] inline void findMeeting(
+  const L p[3], const L q[3], Places<L>& place, typename L::Bits& unclear)
+{
+  const L c[3] = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+    p[0] * q[1] - p[1] * q[0] };
+  const L sum = c[0] + c[1] + c[2];
+  const L lengths =
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+  addNegative(sum * sum - leastSine * leastSine * lengths - smallest, unclear);
+  for (int k = 0; k < 3; ++k)
+  {
+    place.b[k] = c[k] / sum;
+    addNegative(place.b[k], unclear);
+  }
+}
+
+/** Where a function that is `high` here and `-low` there is zero; both must be positive. */
+template <class L>
+[[gnu::always_inline]] inline void findZero(
+  const L& high, const L& low, L& along, typename L::Bits& unclear)
+{
+  addNegative(high - smallest, unclear);
+  addNegative(low - smallest, unclear);
+  along = high / (high + low);
+}
+
+/** A bit for each lane without a mark. */
+template <class Bits>
+[[gnu::always_inline]] inline unsigned unmarked(const Bits& marks)
+{
+  return ~bitsOf(marks) & ((1U << lanes) - 1U);
+}
 }
 
 #endif
