@@ -59,6 +59,51 @@ void testAgainstAll(const TriangleSoup& soup)
   }
 }
 
+/** Eight points find what each alone does, near each other or not, from what others have found. */
+void testPackets(const TriangleSoup& soup)
+{
+  const Surface surface(soup);
+  const TriangleTree tree(surface.view());
+  TriangleTree::Packet packet;
+  std::fill_n(packet.slots, lanes, noIndex);
+  for (std::uint64_t k = 0; k < 300; ++k)
+  {
+    const Point3 center = randomPoint(k, 1.2);
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+      const Point3 point = center + randomPoint(1000 + lanes * k + lane, k % 3 == 0 ? 2.0 : 0.05);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        packet.points.point[axis][lane] = point[axis];
+      }
+    }
+    tree.findClosest(packet);
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+      const Point3 point = packet.points.at(lane);
+      const double squared = tree.closest(point).at.squared;
+      CHECK_NEAR(packet.points.squared[lane], squared, 1e-14);
+      CHECK_NEAR(tree.closestOn(packet.slots[lane], point).at.squared, squared, 1e-14);
+    }
+  }
+}
+
+/** So narrow triangles that they are measured one point at a time. */
+TriangleSoup needles()
+{
+  TriangleSoup soup = makeSoup({}, {});
+  for (int k = 0; k < 60; ++k)
+  {
+    const Index first = static_cast<Index>(soup.points.size());
+    const Point3 start = randomPoint(3 * k, 1.0);
+    const Point3 end = randomPoint(3 * k + 1, 1.0);
+    soup.points.insert(
+      soup.points.end(), { start, end, start + 1e-6 * randomPoint(3 * k + 2, 1.0) });
+    soup.triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return soup;
+}
+
 /** All pairs of triangles whose boxes meet are visited, none twice. */
 void testMeeting(const TriangleSoup& soup)
 {
@@ -115,6 +160,11 @@ void testSizes()
   const TriangleTree none(nothing.view());
   CHECK(none.empty());
   CHECK_EQUAL(none.closest(Point3::Zero()).slot, noIndex);
+  TriangleTree::Packet packet{};
+  std::fill_n(packet.slots, lanes, noIndex);
+  none.findClosest(packet);
+  CHECK(
+    std::all_of(packet.slots, packet.slots + lanes, [](Index slot) { return slot == noIndex; }));
 }
 
 /** At a million triangles, copies of the corners would be the larger part of the tree. */
@@ -173,6 +223,10 @@ int TestTriangleTree(int, char*[])
   testMeeting(makeSoup({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
   testMeeting(tetrahedron());
   testMeeting(gridPatch(40, 30));
+  testPackets(makeSoup({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
+  testPackets(cube());
+  testPackets(torus(1.0, 0.3, 60, 25));
+  testPackets(needles());
   testHoldsNoCorners();
   testMeeting(torus(1.0, 0.3, 60, 25));
   testSizes();

@@ -90,46 +90,29 @@ std::vector<char> firstCorners(const Triangles& surface)
   return isFirst;
 }
 
-/** Samples triangles; each search begins at the triangle that the one before found. */
-struct Sampler
+/** Samples triangles; each search begins at the triangles that the one before found. */
+class Sampler
 {
-  const Triangles& from;
-  const TriangleTree& to;
-  double samplesPerArea;
-  const std::vector<char>& isFirst; ///< T x 3, see firstCorners
-  Sums sums;
-  Index hint = noIndex;
-
-  double squaredDistance(const Point3& point)
+public:
+  Sampler(const Triangles& from, const TriangleTree& to, double samplesPerArea,
+    const std::vector<char>& isFirst)
+    : m_from(from)
+    , m_to(to)
+    , m_samplesPerArea(samplesPerArea)
+    , m_isFirst(isFirst)
   {
-    const TriangleTree::Place place = this->to.closest(point, this->hint);
-    this->hint = place.slot;
-    return place.at.squared;
-  }
-
-  /** Places of equal weight: too few for a rule that is exact. */
-  void sampleAtRandom(Offset triangle, const std::array<Point3, 3>& p, double area, int count)
-  {
-    for (int k = 0; k < count; ++k)
-    {
-      const auto random = [&](int which)
-      { return uniform01(static_cast<std::uint64_t>(triangle), 2 * k + which, 0); };
-      const double root = std::sqrt(random(0));
-      const double v = random(1) * root;
-      this->sums.add(
-        area / count, this->squaredDistance(p[0] + (root - v) * (p[1] - p[0]) + v * (p[2] - p[0])));
-    }
+    std::fill_n(m_packet.slots, lanes, noIndex);
   }
 
   void sample(Offset triangle)
   {
-    const std::array<Point3, 3> p = this->from.corners(triangle);
+    const std::array<Point3, 3> p = m_from.corners(triangle);
     if (!hasArea(p[0], p[1], p[2]))
     {
       return;
     }
     const double area = facetArea(p[0], p[1], p[2]);
-    const double wanted = area * this->samplesPerArea;
+    const double wanted = area * m_samplesPerArea;
     if (wanted < static_cast<double>(quadrature.size()))
     {
       this->sampleAtRandom(triangle, p, area, static_cast<int>(std::ceil(wanted)));
@@ -143,19 +126,80 @@ struct Sampler
         {
           for (const QuadraturePoint& at : quadrature)
           {
-            this->sums.add(part * at.weight, this->squaredDistance(corner + at.u * u + at.v * v));
+            this->add(corner + at.u * u + at.v * v, part * at.weight);
           }
         });
     }
     for (int k = 0; k < 3; ++k)
     {
-      if (this->isFirst[3 * triangle + k])
+      if (m_isFirst[3 * triangle + k])
       {
-        this->sums.largestSquared =
-          std::max(this->sums.largestSquared, this->squaredDistance(p[k]));
+        this->add(p[k], 0.0); // for the largest distance alone
       }
     }
   }
+
+  /** Of all triangles so far. */
+  const Sums& sums()
+  {
+    this->search();
+    return m_sums;
+  }
+
+private:
+  void add(const Point3& point, double weight)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      m_packet.points.point[axis][m_count] = point[axis];
+    }
+    m_weights[m_count++] = weight;
+    if (m_count == lanes)
+    {
+      this->search();
+    }
+  }
+
+  /** For the points that are waiting. */
+  void search()
+  {
+    if (m_count == 0)
+    {
+      return;
+    }
+    for (double(&column)[lanes] : m_packet.points.point)
+    {
+      std::fill(column + m_count, column + lanes, column[0]);
+    }
+    m_to.findClosest(m_packet);
+    for (int k = 0; k < m_count; ++k)
+    {
+      m_sums.add(m_weights[k], m_packet.points.squared[k]);
+    }
+    m_count = 0;
+  }
+
+  /** Places of equal weight: too few for a rule that is exact. */
+  void sampleAtRandom(Offset triangle, const std::array<Point3, 3>& p, double area, int count)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      const auto random = [&](int which)
+      { return uniform01(static_cast<std::uint64_t>(triangle), 2 * k + which, 0); };
+      const double root = std::sqrt(random(0));
+      const double v = random(1) * root;
+      this->add(p[0] + (root - v) * (p[1] - p[0]) + v * (p[2] - p[0]), area / count);
+    }
+  }
+
+  const Triangles& m_from;
+  const TriangleTree& m_to;
+  double m_samplesPerArea;
+  const std::vector<char>& m_isFirst; ///< T x 3, see firstCorners
+  TriangleTree::Packet m_packet;      ///< points that are waiting
+  double m_weights[lanes] = {};
+  int m_count = 0;
+  Sums m_sums;
 };
 
 double areaOf(const Triangles& surface)
@@ -183,12 +227,12 @@ Status sampleSurface(const Triangles& from, const TriangleTree& to, Offset numbe
   if (!forEachBlock(blocks.count(), control,
         [&](Offset block)
         {
-          Sampler sampler{ from, to, static_cast<double>(numberOfSamples) / area, isFirst, {} };
+          Sampler sampler(from, to, static_cast<double>(numberOfSamples) / area, isFirst);
           for (Offset t = blocks.begin(block); t < blocks.end(block); ++t)
           {
             sampler.sample(t);
           }
-          sums[block] = sampler.sums;
+          sums[block] = sampler.sums();
         }))
   {
     return Status::cancelled();

@@ -257,4 +257,125 @@ TriangleTree::Place TriangleTree::closest(const Point3& point, Index hint) const
     });
   return best;
 }
+
+void TriangleTree::takeCloser(Index slot, Packet& packet) const
+{
+  const auto [a, b, c] = this->cornersOf(slot);
+  PacketTriangle triangle;
+  unsigned nearer = 0;
+  if (triangle.set(a, b, c))
+  {
+    nearer = m_packetPlaces({ triangle, packet.points });
+  }
+  else
+  {
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+      const double squared = closestOnTriangle(packet.points.at(lane), a, b, c).squared;
+      if (squared < packet.points.squared[lane])
+      {
+        packet.points.squared[lane] = squared;
+        nearer |= 1U << lane;
+      }
+    }
+  }
+  for (; nearer != 0; nearer &= nearer - 1)
+  {
+    packet.slots[__builtin_ctz(nearer)] = slot;
+  }
+}
+
+int TriangleTree::pushChildren(const Packet& packet, const Point3 (&box)[2], const Pending& node,
+  Pending* pending, int size) const
+{
+  const BoxGroup& boxes = m_levels[node.level][node.id];
+  double squared[lanes];
+  m_packetGroup({ boxes, box[0], box[1], squared });
+  const double farthest = packet.points.farthest();
+  const int bottom = size;
+  for (int k = 0; k < lanes; ++k)
+  {
+    if (!(squared[k] < farthest))
+    {
+      continue;
+    }
+    squared[k] = m_packetBox({ packet.points, boxes, k });
+    if (squared[k] == std::numeric_limits<double>::infinity()) // of none
+    {
+      continue;
+    }
+    int at = size++;
+    for (; at > bottom && pending[at - 1].squared < squared[k]; --at)
+    {
+      pending[at] = pending[at - 1];
+    }
+    pending[at] = { squared[k], node.id * lanes + k, node.level - 1 };
+  }
+  return size;
+}
+
+std::array<Index, lanes> TriangleTree::takeHints(Packet& packet) const
+{
+  std::array<Index, lanes> hints;
+  std::copy_n(packet.slots, lanes, hints.begin());
+  std::fill_n(packet.slots, lanes, noIndex);
+  std::fill_n(packet.points.squared, lanes, std::numeric_limits<double>::infinity());
+  for (auto hint = hints.begin(); hint != hints.end(); ++hint)
+  {
+    if (*hint != noIndex && std::find(hints.begin(), hint, *hint) == hint)
+    {
+      this->takeCloser(*hint, packet);
+    }
+  }
+  return hints;
+}
+
+bool TriangleTree::isInReach(const Packet& packet, const Pending& node) const
+{
+  const BoxGroup& boxes = m_levels[node.level + 1][node.id / lanes];
+  return m_packetBox({ packet.points, boxes, node.id % lanes }) !=
+    std::numeric_limits<double>::infinity();
+}
+
+void TriangleTree::findClosest(Packet& packet) const
+{
+  const std::array<Index, lanes> hints = this->takeHints(packet);
+  Point3 box[2] = { packet.points.at(0), packet.points.at(0) };
+  for (int lane = 1; lane < lanes; ++lane)
+  {
+    box[0] = box[0].cwiseMin(packet.points.at(lane));
+    box[1] = box[1].cwiseMax(packet.points.at(lane));
+  }
+  Pending pending[(lanes - 1) * mostLevels + 1];
+  int size = 0;
+  if (!this->empty())
+  {
+    pending[size++] = { 0.0, 0, static_cast<int>(m_levels.size()) - 1 };
+  }
+  bool isKnownInReach = true; // the last on the stack
+  while (size > 0)
+  {
+    const Pending node = pending[--size];
+    if (!isKnownInReach && !this->isInReach(packet, node))
+    {
+      continue;
+    }
+    isKnownInReach = false;
+    if (node.level >= 0)
+    {
+      const int before = size;
+      size = this->pushChildren(packet, box, node, pending, size);
+      isKnownInReach = size > before;
+      continue;
+    }
+    const Index end = std::min<Index>(this->size(), (node.id + 1) * leafSize);
+    for (Index slot = node.id * leafSize; slot < end; ++slot)
+    {
+      if (std::find(hints.begin(), hints.end(), slot) == hints.end())
+      {
+        this->takeCloser(slot, packet);
+      }
+    }
+  }
+}
 }

@@ -11,6 +11,7 @@
 
 #include "Mesh/BoxDistances.h"
 #include "Mesh/ClosestPoint.h"
+#include "Mesh/PointPacket.h"
 #include "Support/RunControl.h"
 #include "Support/Types.h"
 
@@ -64,6 +65,22 @@ public:
    * Cost: O(log T) where the surface is not about equally far everywhere. From any thread.
    */
   Place closest(const Point3& point, Index hint = noIndex) const;
+
+  /** Points that are searched for together, and what was found. */
+  struct Packet
+  {
+    PointPacket points; ///< all `lanes` of them: repeat one where there are fewer
+    Index slots[lanes]; ///< of the closest triangles; before, of some that may be close, or noIndex
+  };
+
+  /**
+   * The closest triangles, and the squared distances, of several points, in half the time of as
+   * many single searches if they are near each other. Rounded otherwise: of two triangles that are
+   * as close up to rounding another one may be found.
+   *
+   * @param packet its distances are set, whatever they were; slots are noIndex in an empty tree.
+   */
+  void findClosest(Packet& packet) const;
 
   /** Of distances: what counts as equally close. */
   struct Tolerance
@@ -163,6 +180,15 @@ private:
   template <class Reaches, class Visit>
   void visitLeaves(const Point3& point, const Reaches& reaches, const Visit& visit) const;
 
+  /** Puts the children that some point may be nearer to than known on the stack, nearest last. */
+  int pushChildren(const Packet& packet, const Point3 (&box)[2], const Pending& node,
+    Pending* pending, int size) const;
+  /** Whether some point may be nearer to a node, not the root, than known. */
+  bool isInReach(const Packet& packet, const Pending& node) const;
+  void takeCloser(Index slot, Packet& packet) const;
+  /** Of the triangles that may be close; returns these. */
+  std::array<Index, lanes> takeHints(Packet& packet) const;
+
   Triangles m_surface;
   std::vector<Index> m_ids; ///< S, the caller's triangles
   /** Of each level, the boxes of its nodes' children: of leaves on the first, one node on the last.
@@ -170,6 +196,9 @@ private:
   std::vector<std::vector<BoxGroup>> m_levels;
   BoxDistanceEvaluation m_distances = boxDistanceEvaluation(widestInstructionSet());
   BoxMeetingEvaluation m_meet = boxMeetingEvaluation(widestInstructionSet());
+  PacketGroupEvaluation m_packetGroup = packetGroupEvaluation(widestInstructionSet());
+  PacketBoxEvaluation m_packetBox = packetBoxEvaluation(widestInstructionSet());
+  PacketPlaceEvaluation m_packetPlaces = packetPlaceEvaluation(widestInstructionSet());
 };
 }
 

@@ -2,6 +2,8 @@
  * @file KeyOrder.cxx
  * @brief Least-significant-digit radix sort of (key, item) pairs, in blocks.
  *
+ * Keys in order are left so: facets are, when a tree is made of them. Else:
+ *
  * 1. Find the digits in which keys differ.
  * 2. For each of them, from the lowest: count its values in each block, scan the counts value by
  *    value and block by block, and move the pairs.
@@ -10,6 +12,9 @@
 #include "Support/KeyOrder.h"
 
 #include "Support/Grouping.h"
+
+#include <algorithm>
+#include <numeric>
 
 namespace remesh
 {
@@ -73,6 +78,11 @@ std::vector<Index> orderByKey(const std::vector<std::uint64_t>& keys, const RunC
   const RunControl silent = control.silent();
   const auto size = static_cast<Offset>(keys.size());
   std::vector<Index> order(keys.size());
+  if (std::is_sorted(keys.begin(), keys.end()))
+  {
+    std::iota(order.begin(), order.end(), 0);
+    return order;
+  }
   std::vector<KeyedItem> items(keys.size());
   std::vector<KeyedItem> moved(keys.size());
   bool done = forEachItem(size, silent,
