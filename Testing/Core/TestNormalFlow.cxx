@@ -119,6 +119,20 @@ void testShrinkingSphere()
   }
 }
 
+/** What does not change keeps all its digits, though the steps have fewer. */
+void testEqualNormals()
+{
+  const SurfaceMesh patch = test::meshOf(test::gridPatch(30, 20));
+  const Point3 normal = Point3(1.0, 2.0, 3.0).normalized();
+  std::vector<Point3> normals(patch.cornerPoints.size(), normal);
+  const std::vector<Point3> before = normals;
+  smoothNormalsOver(patch, 0.3, RunControl(), normals);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    CHECK_NEAR((normals[i] - before[i]).norm(), 0.0, 1e-15);
+  }
+}
+
 /** Facets much larger than the radius keep their normals; nothing crosses a crease. */
 void testLocality()
 {
@@ -282,6 +296,7 @@ int TestNormalFlow(int, char*[])
   testDecay();
   testSmallPart();
   testSphere();
+  testEqualNormals();
   testShrinkingSphere();
   testLocality();
   testControlAndScale();

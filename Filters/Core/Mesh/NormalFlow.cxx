@@ -9,7 +9,8 @@
  * 2. A few implicit steps (M + t L) n' = M n, normals normalised after each: the time is not
  *    bound to the facets' sizes as that of averaging is. Heat spreads over sqrt(4 t) in time t.
  * 3. Each step by conjugate gradients with Jacobi's preconditioner, to two digits: more
- *    is of no use.
+ *    is of no use. So the solver works in single precision, on what the step changes alone: that
+ *    is bound by memory. The fields themselves are of doubles.
  */
 #include "Mesh/NormalFlow.h"
 
@@ -39,27 +40,40 @@ constexpr std::size_t facetsBetweenQuestions = 1 << 14;
 /** Rows of more entries, as of a fan's tip, are not put in order by insertion. */
 constexpr Offset longestInserted = 64;
 
+using FloatVector = Eigen::Vector4f; ///< of R^3; the last number is 0
+
 /** M + t L by rows: the off-diagonal entries are -t times the weights. */
 struct FlowMatrix
 {
   std::vector<Offset> begins; ///< C + 1, into the entries
   std::vector<Index> columns;
-  std::vector<double> weights;  ///< t times the cotangents' half sum, >= 0
-  std::vector<double> masses;   ///< C
-  std::vector<double> diagonal; ///< C
+  std::vector<float> weights; ///< t times the cotangents' half sum, >= 0
+  std::vector<double> masses; ///< C
+  std::vector<double>
+    diagonal; ///< C, sums of masses and weights: the same normals stay as they are
 
-  Point3 row(const VectorField& x, std::size_t i) const
+  FloatVector row(const std::vector<FloatVector>& x, std::size_t i) const
   {
-    Point3 value = this->diagonal[i] * x[i];
+    FloatVector value = static_cast<float>(this->diagonal[i]) * x[i];
     for (Offset e = this->begins[i]; e < this->begins[i + 1]; ++e)
     {
       value -= this->weights[e] * x[this->columns[e]];
     }
     return value;
   }
-  Point3 precondition(const Point3& r, std::size_t i) const
+  FloatVector precondition(const FloatVector& r, std::size_t i) const
   {
-    return this->diagonal[i] > 0.0 ? Point3(r / this->diagonal[i]) : r;
+    return this->diagonal[i] > 0.0 ? FloatVector(r / static_cast<float>(this->diagonal[i])) : r;
+  }
+  /** M x - (M + t L) x. */
+  Point3 slope(const VectorField& x, std::size_t i) const
+  {
+    Point3 value = Point3::Zero();
+    for (Offset e = this->begins[i]; e < this->begins[i + 1]; ++e)
+    {
+      value += static_cast<double>(this->weights[e]) * (x[this->columns[e]] - x[i]);
+    }
+    return value;
   }
 };
 
@@ -67,7 +81,7 @@ struct FlowMatrix
 struct Entry
 {
   Index column;
-  double weight;
+  float weight;
 };
 
 using Triangle = std::array<Point3, 3>;
@@ -158,7 +172,7 @@ bool mergeEntries(const std::vector<Offset>& begins, std::vector<Entry>& entries
         {
           matrix.columns[e] = from->column;
           matrix.weights[e] = from->weight;
-          matrix.diagonal[row] += from->weight;
+          matrix.diagonal[row] += static_cast<double>(from->weight);
         }
       }
     });
@@ -197,7 +211,7 @@ bool buildMatrix(const SurfaceMesh& mesh, double radius, double time, const RunC
     {
       const Index i = mesh.facetCorners[f][k];
       const Index j = mesh.facetCorners[f][(k + 1) % 3];
-      const double weight = time * halves[(k + 2) % 3];
+      const auto weight = static_cast<float>(time * halves[(k + 2) % 3]);
       matrix.masses[i] += doubleArea / 6.0;
       entries[next[i]++] = { j, weight };
       entries[next[j]++] = { i, weight };
@@ -222,17 +236,18 @@ void flow(
   ConjugateGradientsLimits limits;
   limits.reduction = wantedReduction;
   const Blocks blocks = Blocks::cut(static_cast<Offset>(field.size()), 64, 1 << 15);
-  VectorField residual(field.size());
+  std::vector<FloatVector> residual(field.size());
   for (int step = 0; step < numberOfSteps; ++step)
   {
     VectorField smoothed = field;
-    // M n - (M + t L) n: the step starts at the field itself.
+    // The step starts at the field itself.
     const bool started = forEachRange(blocks, control.silent(),
       [&](Offset begin, Offset end)
       {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
         {
-          residual[i] = matrix.masses[i] * field[i] - matrix.row(field, i);
+          residual[i] = FloatVector::Zero();
+          residual[i].head<3>() = matrix.slope(field, i).cast<float>();
         }
       });
     if (!started || !solveConjugateGradients(matrix, limits, control, residual, smoothed))
