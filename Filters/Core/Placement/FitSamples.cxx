@@ -67,6 +67,7 @@ const SampleBlock& FitSamples::of(Offset block, SampleBlock& scratch)
 void FitSamples::make(Offset block, SampleBlock& made) const
 {
   made.clear();
+  const double inverse = 1.0 / m_unit; // exact, as the unit is
   for (auto vertex = static_cast<Index>(m_blocks.begin(block));
        vertex < static_cast<Index>(m_blocks.end(block)); ++vertex)
   {
@@ -81,9 +82,9 @@ void FitSamples::make(Offset block, SampleBlock& made) const
           made.groups.push_back({});
         }
         SampleGroup& group = made.groups.back();
-        setLane(group.offset, lane, (sample.point - origin) / m_unit);
+        setLane(group.offset, lane, inverse * (sample.point - origin));
         setLane(group.normal, lane, sample.normal);
-        group.weight[lane] = static_cast<float>(sample.weight / m_unit / m_unit);
+        group.weight[lane] = static_cast<float>(inverse * inverse * sample.weight);
       });
     made.begins.push_back(static_cast<Index>(made.groups.size()));
     made.counts.push_back(static_cast<Index>(count));

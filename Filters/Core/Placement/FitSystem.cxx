@@ -136,7 +136,7 @@ void addTie(const FitTask& task, std::size_t vertex, const Point3& position, Fit
   system.slopes[vertex] -= multiply(tie, Point3(position - (*task.anchors)[vertex]));
 }
 
-/** Of vertices alone: ties and damping. */
+/** Of vertices alone: ties, damping, and what preconditions. */
 bool addToCenters(const FitTask& task, const std::vector<Point3>& positions,
   const RunControl& control, FitSystem& system)
 {
@@ -153,6 +153,11 @@ bool addToCenters(const FitTask& task, const std::vector<Point3>& positions,
       if (system.frozen[v])
       {
         system.slopes[v].setZero();
+        system.inverses[v].setZero();
+      }
+      else
+      {
+        system.inverses[v] = symmetricOf(matrixOf(system.vertexBlocks[v]).inverse());
       }
     });
 }
@@ -245,15 +250,6 @@ Point3 FitSystem::row(const VectorField& x, std::size_t i) const
   return value;
 }
 
-Point3 FitSystem::precondition(const Point3& r, std::size_t i) const
-{
-  if (this->frozen[i])
-  {
-    return Point3::Zero();
-  }
-  return multiply(symmetricOf(matrixOf(this->vertexBlocks[i]).inverse()), r);
-}
-
 FitSystem makeFitSystem(const PlacementProblem& problem)
 {
   EdgeTable edges = buildEdgeTable(problem.triangles);
@@ -303,6 +299,7 @@ bool assembleFit(const FitTask& task, const std::vector<Point3>& positions, FitS
   const PlacementProblem& problem = task.problem;
   const auto vertices = static_cast<std::size_t>(problem.numberOfVertices());
   system.vertexBlocks.assign(vertices, Symmetric3<double>::Zero());
+  system.inverses.resize(vertices);
   system.edgeBlocks.assign(system.edgeBlocks.size(), Symmetric3<float>::Zero());
   system.slopes.assign(vertices, Point3::Zero());
   system.weights.assign(vertices, 0.0);

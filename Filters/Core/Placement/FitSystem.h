@@ -54,6 +54,7 @@ struct FitErrors
 struct FitSystem
 {
   std::vector<Symmetric3<double>> vertexBlocks; ///< K, definite but at frozen vertices
+  std::vector<Symmetric3<double>> inverses;     ///< K, of these; zero at frozen vertices
   /**
    * E; the solver's time goes into reading them. Floats lose 1e-8 to 2e-7 of a vertex's weight, and
    * the damping is at least 1e-6 of it: the system stays definite.
@@ -78,7 +79,10 @@ struct FitSystem
 
   Point3 row(const VectorField& x, std::size_t i) const;
   /** By the inverse of the vertex's block; zero at frozen vertices. */
-  Point3 precondition(const Point3& r, std::size_t i) const;
+  Point3 precondition(const Point3& r, std::size_t i) const
+  {
+    return multiply(this->inverses[i], r);
+  }
 };
 
 /** The mesh's edges as links, and room for their blocks. O(T). */

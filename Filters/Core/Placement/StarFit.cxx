@@ -11,6 +11,8 @@ namespace remesh
 {
 namespace
 {
+constexpr std::size_t trianglesOfVertex = 3; // of a block, at most as a rule
+
 void setRow(const Point3& from, double (&to)[3])
 {
   std::copy_n(from.data(), 3, to);
@@ -37,6 +39,8 @@ void StarFit::sum(FitSamples& samples, Offset number, StarBlock& block)
   block.triangles.clear();
   block.sums.clear();
   const SampleBlock& sampled = samples.of(number, m_scratch);
+  block.triangles.reserve(trianglesOfVertex * sampled.counts.size());
+  block.sums.reserve(trianglesOfVertex * sampled.counts.size());
   const auto first = static_cast<Index>(samples.blocks().begin(number));
   for (std::size_t v = 0; v < sampled.counts.size(); ++v)
   {

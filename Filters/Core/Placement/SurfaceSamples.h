@@ -32,9 +32,15 @@ template <class Visit>
 void visitParts(
   const Point3& a, const Point3& b, const Point3& c, double area, int k, const Visit& visit)
 {
-  const Point3 u = (b - a) / k;
-  const Point3 v = (c - a) / k;
-  const double part = area / (static_cast<double>(k) * k);
+  if (k == 1) // most
+  {
+    visit(Point3((a + b + c) * (1.0 / 3.0)), area);
+    return;
+  }
+  const double share = 1.0 / k;
+  const Point3 u = share * (b - a);
+  const Point3 v = share * (c - a);
+  const double part = share * share * area;
   for (int i = 0; i < k; ++i)
   {
     for (int j = 0; i + j < k; ++j)
@@ -75,13 +81,18 @@ void visitPiece(const VertexPlaces& places, Offset piece, const FacetCorners& co
   };
   const Offset begin = places.diagram.vertexBegin[piece];
   const Point3 first = place(begin);
-  for (Offset v = begin + 1; v + 1 < places.diagram.vertexBegin[piece + 1]; ++v)
+  Point3 second = first;
+  for (Offset v = begin + 1; v < places.diagram.vertexBegin[piece + 1]; ++v)
   {
-    const Point3 second = place(v);
-    const Point3 third = place(v + 1);
-    const double area = facetArea(first, second, third);
-    const int parts = std::clamp(static_cast<int>(std::lround(std::sqrt(area / measure))), 1, most);
-    visitParts(first, second, third, area, parts, visit);
+    const Point3 third = place(v);
+    if (v > begin + 1)
+    {
+      const double area = facetArea(first, second, third);
+      const double parts = std::sqrt(area / measure) + 0.5; // rounded
+      visitParts(first, second, third, area,
+        static_cast<int>(std::clamp(parts, 1.0, static_cast<double>(most))), visit);
+    }
+    second = third;
   }
 }
 
@@ -98,10 +109,16 @@ void forEachSample(
   const VertexPlaces places{ problem.surface, problem.sites, diagram };
   const Components& components = problem.components;
   const double measure = components.area[component] / samples;
+  Point3 vector; // of the last facet asked for
+  double length = 0.0;
   const auto areaOf = [&](Offset p)
   {
     const Offset piece = components.pieces[p];
-    return diagram.integrals[piece].fraction() * facetArea(problem.mesh, diagram.facets[piece]);
+    const auto& [a, b, c] = problem.mesh.facetPoints[diagram.facets[piece]];
+    vector =
+      doubleAreaVector(problem.mesh.points[a], problem.mesh.points[b], problem.mesh.points[c]);
+    length = lengthOf(vector);
+    return 0.5 * diagram.integrals[piece].fraction() * length;
   };
   const Offset begins = components.pieceBegin[component];
   Offset ends = components.pieceBegin[component + 1];
@@ -124,7 +141,8 @@ void forEachSample(
       &problem.facetPoint(facet, 2) };
     SurfaceSample sample;
     sample.facet = facet;
-    sample.normal = facetNormal(*corners[0], *corners[1], *corners[2]);
+    sample.normal = length > 1e-145 ? Point3((1.0 / length) * vector)
+                                    : facetNormal(*corners[0], *corners[1], *corners[2]);
     const auto visitPart = [&](const Point3& point, double weight)
     {
       sample.point = point;
