@@ -5,7 +5,8 @@
  * The input is a surface of polygons or triangle strips, also of several blocks or as a grid (see
  * vtkWholeSurfaceAlgorithm). As for vtkAnisotropicRemesher polygons are cut into triangles,
  * points with equal coordinates count as one, and degenerate and duplicate triangles do not count.
- * The output is the input with one more point array: coincident points have the same tuple.
+ * The output is the input with one more point array, or for vtkMetricEmbedding its triangles with
+ * more arrays. Coincident points have the same tuple.
  *
  * Setters keep what they are given. A value out of the range that a property's text names, or NaN,
  * is an error when the filter runs.

@@ -151,7 +151,10 @@ void carryFieldData(vtkPolyData* input, vtkPolyData* output, LostArrays& lost)
     const std::string name = nameOf(array);
     if (isReserved(meshFactNames, name))
     {
-      lost.taken.push_back(name);
+      if (!isReserved(metricFactNames, name))
+      {
+        lost.taken.push_back(name);
+      }
     }
     else if (name.empty() || !to->HasArray(name.c_str())) // the pipeline may have passed it already
     {

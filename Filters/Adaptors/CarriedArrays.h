@@ -15,6 +15,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
+
 class vtkAbstractArray;
 class vtkDataSetAttributes;
 
@@ -64,6 +66,21 @@ vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* source, Offset tupl
 std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset inputTuples,
   const OwnArrays& own, Offset tuples, vtkDataSetAttributes* output, LostArrays& lost);
 
+/** A place on the input: three of its points, and how much of each. */
+struct InputPlace
+{
+  std::array<Offset, 3> points;
+  std::array<double, 3> weights;
+};
+
+/** Where the points of an output are on the input. */
+struct PlacedPoints
+{
+  Offset count;
+  std::function<InputPlace(Offset)> placeOf; ///< may be called by several threads
+  RunControl control;
+};
+
 /**
  * Point arrays at places on the input, one for each point of the output: floating-point arrays are
  * interpolated linearly (the active normals are then made unit vectors again), and so are colours,
@@ -71,6 +88,10 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
  * ids, bits, strings) may be labels: they take the value of the corner with the largest weight, of
  * equal ones that of the lowest id. O(vertices x components), in parallel.
  */
+void carryPointArrays(vtkPolyData* input, const OwnArrays& own, const PlacedPoints& points,
+  vtkPolyData* output, LostArrays& lost);
+
+/** Those at the vertices of a mesh. */
 void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
   vtkPolyData* output, LostArrays& lost);
 

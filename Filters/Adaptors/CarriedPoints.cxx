@@ -14,17 +14,12 @@ namespace remesh
 namespace
 {
 /** The input points around a vertex, and their weights. */
-struct Corners
+struct Corners : InputPlace
 {
-  std::array<Offset, 3> points;
-  std::array<double, 3> weights;
-  int nearest; ///< of the largest weight
+  int nearest = 0; ///< of the largest weight
 
-  Corners(const DiagramSource& source, const SurfaceLocation& place)
-    : points(
-        source.prepared.inputMesh().facetInputPoints[source.prepared.inputFacet(place.facet)])
-    , weights(source.prepared.inputPlace(place.facet, place.b))
-    , nearest(0)
+  explicit Corners(const InputPlace& place)
+    : InputPlace(place)
   {
     for (const int k : { 1, 2 })
     {
@@ -74,8 +69,7 @@ void normalize(Tuple tuple)
 
 struct Interpolate
 {
-  const DiagramSource& source;
-  const std::vector<SurfaceLocation>& places;
+  const PlacedPoints& points;
   bool areNormals;
 
   template <class From, class To>
@@ -85,10 +79,10 @@ struct Interpolate
     const auto tuplesFrom = vtk::DataArrayTupleRange(from);
     auto tuplesTo = vtk::DataArrayTupleRange(to);
     const int components = from->GetNumberOfComponents();
-    fillItems(to->GetNumberOfTuples(), this->source.control,
+    fillItems(to->GetNumberOfTuples(), this->points.control,
       [&](Offset vertex)
       {
-        const Corners corners(this->source, this->places[vertex]);
+        const Corners corners(this->points.placeOf(vertex));
         auto tuple = tuplesTo[vertex];
         for (int c = 0; c < components; ++c)
         {
@@ -105,8 +99,7 @@ struct Interpolate
 };
 
 /** The interpolated values of an array; false if this kind of array has none. */
-bool interpolateArray(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
-  const CarriedArray& array)
+bool interpolateArray(const PlacedPoints& points, const CarriedArray& array)
 {
   auto* from = vtkDataArray::SafeDownCast(array.source);
   auto* to = vtkDataArray::SafeDownCast(array.target);
@@ -118,7 +111,7 @@ bool interpolateArray(const DiagramSource& source, const std::vector<SurfaceLoca
   using Dispatcher = vtkArrayDispatch::Dispatch2BySameValueType<Types>;
   const bool areNormals =
     array.is(vtkDataSetAttributes::NORMALS) && from->GetNumberOfComponents() == 3;
-  const Interpolate work{ source, places, areNormals };
+  const Interpolate work{ points, areNormals };
   if (!Dispatcher::Execute(from, to, work))
   {
     work(from, to); // a layout that the dispatcher does not know
@@ -135,31 +128,43 @@ bool hasMeans(vtkAbstractArray* array)
   return isColor || array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
 
-void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
+void carryPointArrays(vtkPolyData* input, const OwnArrays& own, const PlacedPoints& points,
   vtkPolyData* output, LostArrays& lost)
 {
-  const auto count = static_cast<Offset>(places.size());
-  const std::vector<CarriedArray> arrays =
-    makeCarriedArrays(source.input->GetPointData(), source.input->GetNumberOfPoints(),
-      OwnArrays{ meshPointNames, source.prepared.usedArrays }, count, output->GetPointData(), lost);
+  const std::vector<CarriedArray> arrays = makeCarriedArrays(input->GetPointData(),
+    input->GetNumberOfPoints(), own, points.count, output->GetPointData(), lost);
   vtkNew<vtkIdList> nearest;
   for (const CarriedArray& array : arrays)
   {
-    if (interpolateArray(source, places, array))
+    if (interpolateArray(points, array))
     {
       continue;
     }
-    if (nearest->GetNumberOfIds() != count)
+    if (nearest->GetNumberOfIds() != points.count)
     {
-      nearest->SetNumberOfIds(count);
+      nearest->SetNumberOfIds(points.count);
       vtkIdType* ids = nearest->GetPointer(0);
-      fillItems(count, source.control,
-        [&](Offset vertex) { ids[vertex] = Corners(source, places[vertex]).nearestPoint(); });
+      fillItems(points.count, points.control,
+        [&](Offset vertex) { ids[vertex] = Corners(points.placeOf(vertex)).nearestPoint(); });
     }
-    if (!source.control.cancelled())
+    if (!points.control.cancelled())
     {
       array.source->GetTuples(nearest, array.target);
     }
   }
+}
+
+void carryPointArrays(const DiagramSource& source, const std::vector<SurfaceLocation>& places,
+  vtkPolyData* output, LostArrays& lost)
+{
+  const auto placeOf = [&](Offset vertex) -> InputPlace
+  {
+    const SurfaceLocation& place = places[vertex];
+    return { source.prepared.inputMesh().facetInputPoints[source.prepared.inputFacet(place.facet)],
+      source.prepared.inputPlace(place.facet, place.b) };
+  };
+  const PlacedPoints points{ static_cast<Offset>(places.size()), placeOf, source.control };
+  carryPointArrays(
+    source.input, OwnArrays{ meshPointNames, source.prepared.usedArrays }, points, output, lost);
 }
 }

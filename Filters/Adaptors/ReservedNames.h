@@ -30,6 +30,9 @@ inline constexpr Names meshFactNames = { "NumberOfFlippedTriangles", "NumberOfNo
   "Seed", "NormalSmoothingRadius", "MaximumDistance", "RMSDistance", "MetricUnit", "MetricLimit",
   "MetricShare" };
 
+/** Those of them that vtkMetricEmbedding's output has, too: they are left out without a word. */
+inline constexpr Names metricFactNames = { "MetricUnit", "MetricLimit", "MetricShare" };
+
 /** Cell arrays of a compared mesh. */
 inline constexpr Names comparedCellNames = { "Quality", "MinimumAngle", "RadiusRatio", "EdgeRatio",
   "NormalDeviation", "Flipped" };

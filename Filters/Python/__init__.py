@@ -8,7 +8,7 @@
 
 Functions: `remesh`, `compare` (how good a mesh is), `voronoi` (cells of given sites), `embed` (the
 space that the remesher measures in), `metric_from_solution` (the metric for a solution),
-`spectral_embedding` (eigenfunctions). They give back results like `Remeshed`; what is wrong raises,
+`metric_embedding` (the space of a metric), `spectral_embedding` (eigenfunctions). They give back results like `Remeshed`; what is wrong raises,
 what is doubtful is a Python warning, and Ctrl-C stops a run.
 
 The VTK filters underneath are here, too, as `vtkAnisotropicRemesher`, for VTK pipelines.
@@ -22,15 +22,25 @@ import vtkmodules.vtkCommonDataModel  # noqa: F401
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
 from . import _execution as _execution
-from ._fields import metric_from_solution, spectral_embedding
+from ._fields import metric_embedding, metric_from_solution, spectral_embedding
 from ._functions import compare, embed, remesh, voronoi
 from ._messages import RemeshingError, RemeshingStopped, RemeshingWarning
-from ._results import Compared, Diagram, Distance, Embedded, Metric, Remeshed, Spectrum
+from ._results import (
+    Compared,
+    Diagram,
+    Distance,
+    Embedded,
+    Metric,
+    MetricEmbedded,
+    Remeshed,
+    Spectrum,
+)
 from ._version import __version__
 from .vtkFiltersAnisotropicRemeshing import (
     vtkAnisotropicRemesher,
     vtkEmbeddedSurfaceAlgorithm,
     vtkGaussMapEmbedding,
+    vtkMetricEmbedding,
     vtkRestrictedVoronoiAlgorithm,
     vtkRestrictedVoronoiDiagram,
     vtkSolutionMetric,
@@ -43,8 +53,9 @@ from .vtkFiltersAnisotropicRemeshing import (
 _execution.watch(_threading.main_thread().ident or 0)
 
 # Where they are to be found, as tracebacks and help() tell it.
-for _public in (Compared, Diagram, Distance, Embedded, Metric, Remeshed, RemeshingError, RemeshingStopped,
-                RemeshingWarning, Spectrum, compare, embed, metric_from_solution, remesh, spectral_embedding, voronoi):
+for _public in (Compared, Diagram, Distance, Embedded, Metric, MetricEmbedded, Remeshed,
+                RemeshingError, RemeshingStopped, RemeshingWarning, Spectrum, compare, embed,
+                metric_embedding, metric_from_solution, remesh, spectral_embedding, voronoi):
     _public.__module__ = __name__
 
 __all__ = [
@@ -53,6 +64,7 @@ __all__ = [
     "Distance",
     "Embedded",
     "Metric",
+    "MetricEmbedded",
     "Remeshed",
     "RemeshingError",
     "RemeshingStopped",
@@ -61,6 +73,7 @@ __all__ = [
     "__version__",
     "compare",
     "embed",
+    "metric_embedding",
     "metric_from_solution",
     "remesh",
     "spectral_embedding",
@@ -68,6 +81,7 @@ __all__ = [
     "vtkAnisotropicRemesher",
     "vtkEmbeddedSurfaceAlgorithm",
     "vtkGaussMapEmbedding",
+    "vtkMetricEmbedding",
     "vtkRestrictedVoronoiAlgorithm",
     "vtkRestrictedVoronoiDiagram",
     "vtkSolutionMetric",

@@ -267,6 +267,59 @@ class Spectrum(Embedded):
         return _surfaces.view_of(self._plain().GetFieldData().GetArray("Eigenvalues"))
 
 
+class MetricEmbedded(Embedded):
+    """A surface with an embedding of a metric, from `metric_embedding`."""
+
+    @property
+    def surface(self) -> Any:
+        """
+        The surface in triangles, with the arrays `Embedding`, `LimitedMetric`, `LeastStretch` and
+        `LargestStretch`. Its first points are those that were put in.
+        """
+        return self._give(0, "mesh")
+
+    @property
+    def metric(self) -> numpy.ndarray[Any, Any]:
+        """(n, 6) numpy view, a tensor XX YY ZZ XY YZ XZ for each point: what was embedded."""
+        return _surfaces.view_of(self._plain().GetPointData().GetArray("LimitedMetric"))
+
+    @property
+    def stretch(self) -> numpy.ndarray[Any, Any]:
+        """
+        (m, 2) numbers, for each triangle the lengths in R^d over those in the metric, where that is
+        least and where it is largest.
+        """
+        data = self._plain().GetCellData()
+        names = ("LeastStretch", "LargestStretch")
+        return numpy.stack([_surfaces.view_of(data.GetArray(name)) for name in names], axis=1)
+
+    @property
+    def unit(self) -> float:
+        """The length in the metric of the edges that it is for."""
+        return self._fact("MetricUnit")
+
+    @property
+    def wanted_points(self) -> int:
+        """How many points a mesh with such edges has."""
+        return round(self._fact("MetricPoints"))
+
+    @property
+    def limit(self) -> float:
+        """The largest factor by which a size of the metric was made smaller, from 1."""
+        return self._fact("MetricLimit")
+
+    @property
+    def share(self) -> float:
+        """The share of the area, in the metric, where that is met within a factor of sqrt 2."""
+        return self._fact("MetricShare")
+
+    def _fact(self, name: str) -> float:
+        return float(self._plain().GetFieldData().GetArray(name).GetValue(0))
+
+    def _facts(self) -> Dict[str, str]:
+        return {**super()._facts(), "met on": f"{self.share:.1%}"}
+
+
 class Metric(_Result):
     """A surface with a metric, from `metric_from_solution`."""
 

@@ -55,6 +55,8 @@ PROPERTIES = {
     "distance_size": "DistanceSize",
     "distance_growth": "DistanceGrowth",
     "dimension": "Dimension",
+    "refine": "Refine",
+    "iterations": "NumberOfIterations",
     "time": "DiffusionTime",
 }
 

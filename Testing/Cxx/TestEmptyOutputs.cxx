@@ -4,6 +4,7 @@
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
+#include "vtkMetricEmbedding.h"
 #include "vtkSolutionMetric.h"
 #include "vtkSpectralEmbedding.h"
 #include "vtkSurfaceMeshComparison.h"
@@ -103,6 +104,10 @@ void testEmptyInput()
   metric->SetInputData(empty);
   metric->AddSolutionArray("E");
   checkSilent(metric, "empty input of the metric");
+  vtkNew<vtkMetricEmbedding> embedded;
+  embedded->SetInputData(empty);
+  embedded->SetMetricArray("Metric");
+  checkSilent(embedded, "empty input of the metric's embedding");
   vtkNew<vtkSpectralEmbedding> spectrum;
   spectrum->SetInputData(empty);
   checkSilent(spectrum, "empty input of the eigenfunctions");

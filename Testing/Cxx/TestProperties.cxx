@@ -4,6 +4,7 @@
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
+#include "vtkMetricEmbedding.h"
 #include "vtkRestrictedVoronoiDiagram.h"
 #include "vtkSolutionMetric.h"
 #include "vtkSpectralEmbedding.h"
@@ -295,6 +296,33 @@ void testSolutionMetric()
   CHECK_RANGE(filter, MinimumSize, 0.0, 2.0);
 }
 
+void testMetricEmbedding()
+{
+  vtkNew<vtkMetricEmbedding> filter;
+  checkPrints(filter,
+    { "MetricArray", "MetricOrder", "NumberOfPoints", "UnitEdges", "MetricComplexity", "Dimension",
+      "Refine", "LimitMetric", "MetricGrowth", "NumberOfIterations", "EnergyTolerance" });
+  CHECK(filter->GetMetricArray() == nullptr);
+  CHECK_EQUAL(filter->GetMetricOrder(), static_cast<int>(vtkMetricEmbedding::METRIC_VTK));
+  CHECK_EQUAL(filter->GetNumberOfPoints(), 10000);
+  CHECK_EQUAL(filter->GetUnitEdges(), false);
+  CHECK_EQUAL(filter->GetMetricComplexity(), 0.0);
+  CHECK_EQUAL(filter->GetDimension(), 6);
+  CHECK_EQUAL(filter->GetRefine(), true);
+  CHECK_EQUAL(filter->GetLimitMetric(), true);
+  CHECK_EQUAL(filter->GetMetricGrowth(), 5.0);
+  CHECK_EQUAL(filter->GetNumberOfIterations(), 200);
+  CHECK_EQUAL(filter->GetEnergyTolerance(), 0.15);
+  filter->SetInputData(pointsAlone());
+  CHECK_RANGE(filter, MetricOrder, 0, 2);
+  CHECK_RANGE(filter, NumberOfPoints, vtkIdType(1), vtkIdType(VTK_ID_MAX));
+  CHECK_RANGE(filter, MetricComplexity, 0.0, VTK_DOUBLE_MAX);
+  CHECK_RANGE(filter, Dimension, 3, 16);
+  CHECK_RANGE(filter, MetricGrowth, 1.01, 1000.0);
+  CHECK_RANGE(filter, NumberOfIterations, 0, 100000);
+  CHECK_RANGE(filter, EnergyTolerance, 0.0, 1.0);
+}
+
 void testSpectralEmbedding()
 {
   vtkNew<vtkSpectralEmbedding> filter;
@@ -333,6 +361,7 @@ int TestProperties(int, char*[])
   CHECK_RANGE(comparison, NumberOfThreads, 0, 1024);
   CHECK_RANGE(comparison, SMPBackend, 0, 3);
   testSolutionMetric();
+  testMetricEmbedding();
   testSpectralEmbedding();
   testModification();
   return result();

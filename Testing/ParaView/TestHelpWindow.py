@@ -16,7 +16,7 @@ from pathlib import Path
 plugin, temporary, paraview = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 PAGES = {f"filters.{name}.html" for name in (
     "AnisotropicRemesher", "RestrictedVoronoiDiagram", "GaussMapEmbedding",
-    "SolutionMetric", "SpectralEmbedding", "SurfaceMeshComparison")}
+    "MetricEmbedding", "SolutionMetric", "SpectralEmbedding", "SurfaceMeshComparison")}
 SECONDS = 120
 
 

@@ -201,6 +201,15 @@ across = AnisotropicRemesher(Input=metric, NumberOfPoints=150, LloydIterations=5
                              MetricArray="Metric")
 check_diagram(across, 150)
 
+# --- A metric's embedding, used by the remesher ---------------------------------------------------
+check_against_class(MetricEmbedding(Input=metric), "vtkMetricEmbedding")
+lengths = MetricEmbedding(Input=metric, NumberOfPoints=150)
+lengths.MetricArray = "Metric"
+assert fetch(lengths).GetPointData().GetArray("Embedding").GetNumberOfComponents() == 6
+assert fetch(lengths).GetCellData().GetArray("LargestStretch").GetRange()[1] > 0.9
+check_diagram(AnisotropicRemesher(Input=lengths, NumberOfPoints=150, LloydIterations=5,
+                                  EmbeddingArray="Embedding"), 150)
+
 # --- Eigenfunctions as an embedding ---------------------------------------------------------------
 check_against_class(SpectralEmbedding(Input=sphere), "vtkSpectralEmbedding")
 functions = SpectralEmbedding(Input=sphere, Dimension=3, Scaling="None")

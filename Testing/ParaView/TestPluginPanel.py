@@ -27,6 +27,10 @@ NAMES = {
         "NumberOfPoints", "PreserveFeatures", "SamplingMethod", "Seed"},
     "RestrictedVoronoiDiagram": DIAGRAM | {"Sites"},
     "GaussMapEmbedding": EMBEDDED | {"NumberOfPoints"},
+    "MetricEmbedding": {
+        "Dimension", "EnergyTolerance", "Input", "LimitMetric", "MetricArray", "MetricComplexity",
+        "MetricGrowth", "MetricOrder", "NumberOfIterations", "NumberOfPoints", "NumberOfThreads",
+        "Refine", "SMPBackend", "UnitEdges"},
     "SolutionMetric": {
         "ChordTolerance", "DistanceArray", "DistanceGrowth", "DistanceSize", "ErrorNorm",
         "HessianArrays", "Input", "MaximumRatio", "MaximumSize", "MetricArrays", "MetricOrder",

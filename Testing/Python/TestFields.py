@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The functions that compute fields on a surface: metrics of solutions, and eigenfunctions."""
+"""The functions that compute fields on a surface: metrics, their embeddings, eigenfunctions."""
 import unittest
 
 import numpy
@@ -49,6 +49,36 @@ class TestFields(unittest.TestCase):
             ar.metric_from_solution(square)
         with self.assertRaisesRegex(ValueError, "must be one of l1, l2, l4, maximum"):
             ar.metric_from_solution(square, values, norm="l3")
+
+    def test_metric_embedding(self):
+        """Sizes that grow with x: arrays by name and as numbers, what comes out, remeshing."""
+        sizes = 0.1 + 0.1 * (self.arrays[0][:, 0] + 0.5)
+        made = ar.metric_embedding(self.arrays, sizes, 300, dimension=5)
+        points, triangles = made.surface
+        self.assertTrue((points[: len(self.arrays[0])] == self.arrays[0]).all())
+        self.assertEqual(made.embedding.shape, (len(points), 5))
+        self.assertEqual(made.metric.shape, (len(points), 6))
+        self.assertEqual(made.stretch.shape, (len(triangles), 2))
+        self.assertTrue((made.stretch[:, 0] <= made.stretch[:, 1]).all())
+        edges = points[triangles[:, 0]] - points[triangles[:, 1]]
+        places = made.embedding[triangles[:, 0]] - made.embedding[triangles[:, 1]]
+        middles = points[triangles[:, :2]].mean(axis=1)[:, 0]
+        ratio = (numpy.linalg.norm(places, axis=1) / numpy.linalg.norm(edges, axis=1)
+                 * (0.15 + 0.1 * middles))
+        self.assertLess(abs(numpy.median(ratio) - 1.0), 0.03)
+        self.assertGreater(made.share, 0.99)
+        self.assertGreaterEqual(made.limit, 1.0)
+        self.assertIn("dimension 5, met on 100.0%", repr(made))
+        unit = ar.metric_embedding(self.arrays, sizes, unit=True, refine=False)
+        self.assertEqual(unit.unit, 1.0)
+        mesh = ar.remesh(self.arrays, metric=sizes, unit=True, **QUICK)
+        self.assertLessEqual(abs(unit.wanted_points - len(mesh.points)), 3)
+        self.assertEqual(len(unit.embedding), len(self.arrays[0]))
+        mesh = ar.remesh(self.arrays, 300, embedding=unit.embedding, **QUICK)
+        self.assertEqual(mesh.report["dimension"], 6)
+        with self.assertRaisesRegex(ar.RemeshingError, "not positive definite .* at point 7"):
+            sizes[7] = 0.0
+            ar.metric_embedding(self.arrays, sizes)
 
     def test_spectral_embedding(self):
         """A sphere of radius 0.5: eigenvalues l (l + 1) / 0.25, and scaled functions."""

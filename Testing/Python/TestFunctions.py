@@ -285,6 +285,7 @@ class TestArguments(unittest.TestCase):
                                (ar.compare, ar.vtkSurfaceMeshComparison),
                                (ar.embed, ar.vtkGaussMapEmbedding),
                                (ar.metric_from_solution, ar.vtkSolutionMetric),
+                               (ar.metric_embedding, ar.vtkMetricEmbedding),
                                (ar.spectral_embedding, ar.vtkSpectralEmbedding)):
             parameters = inspect.signature(function).parameters
             algorithm = kind()

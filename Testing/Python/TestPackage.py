@@ -48,7 +48,7 @@ class TestPackage(unittest.TestCase):
     def test_names(self):
         from anisotropic_remeshing import vtkFiltersAnisotropicRemeshing as module
 
-        self.assertEqual(len(CLASSES), 10)
+        self.assertEqual(len(CLASSES), 11)
         for name in ar.__all__:
             self.assertTrue(hasattr(ar, name), name)
         for name in CLASSES:
@@ -70,7 +70,7 @@ class TestPackage(unittest.TestCase):
                     if not member.startswith("_") and isinstance(value, property):
                         self.assertTrue(value.__doc__, f"{name}.{member}")
         for function in (ar.remesh, ar.voronoi, ar.compare, ar.embed, ar.metric_from_solution,
-                         ar.spectral_embedding):
+                         ar.metric_embedding, ar.spectral_embedding):
             for part in ("Parameters\n", "Returns\n", "Notes\n"):
                 self.assertIn(part, inspect.getdoc(function), function.__name__)
 

@@ -331,11 +331,13 @@ class TestGuide(unittest.TestCase):
                                                            re.MULTILINE | re.DOTALL)}
         own = {f"Port {port}": [run._outputs[port] for run in runs] for port in range(5)}
         own["The comparison"] = compared._outputs
+        own["The embedding of a metric"] = ar.metric_embedding(adapted, "Metric", 200)._outputs
         own["Eigenfunctions"] = ar.spectral_embedding(surface)._outputs
         own["The metric of a solution"] = metric._outputs
         carried = dict.fromkeys(own, self.names_of(surface))
         carried.update(dict.fromkeys((name for name in own if name.startswith("Port")),
                                      self.names_of(adapted)))
+        carried["The embedding of a metric"] = self.names_of(adapted) - {"MetricPoints"}
         carried["The comparison"] = self.names_of(plain_run.mesh, field=False)
         for title, outputs in own.items():
             body = next(parts[name] for name in parts if name.startswith(title))

@@ -135,13 +135,39 @@ double unitOf(double area, Offset points)
   return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(std::max(points, Offset(1))));
 }
 
-Status findMetricArea(
-  const SurfaceMesh& mesh, const MetricField& metric, const RunControl& control, double& area)
+Status findComplexityUnit(const SurfaceMesh& mesh, const MetricField& metric, double complexity,
+  const RunControl& control, double& unit)
 {
+  unit = 1.0;
+  if (!(complexity > 0.0))
+  {
+    return Status::success();
+  }
   std::vector<TargetShape> shapes;
   const Status status = findTargetShapes(mesh, metric, control, shapes);
-  area = metricArea(shapes);
+  unit = std::sqrt(metricArea(shapes) / complexity);
   return status;
+}
+
+MetricSize sizeOf(
+  const SurfaceMesh& mesh, const std::vector<TargetShape>& shapes, const RunControl& control)
+{
+  const EdgeTable edges = buildEdgeTable(mesh.facetPoints, control);
+  MetricSize size;
+  size.area = metricArea(shapes);
+  size.euler =
+    static_cast<double>(mesh.numberOfPoints()) - edges.numberOfEdges() + mesh.numberOfFacets();
+  for (std::size_t f = 0; f < edges.facetEdges.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (const Index valence = edges.valence(edges.facetEdges[f][k]); valence != 2)
+      {
+        size.border += (2.0 - valence) / valence * std::sqrt(shapes[f].edge2(k));
+      }
+    }
+  }
+  return size;
 }
 
 double MetricSize::points(double unit) const
@@ -165,22 +191,7 @@ Status measureMetric(const SurfaceMesh& mesh, const MetricField& metric,
   {
     return status;
   }
-  const SurfaceMesh& whole = preparation.mesh();
-  const EdgeTable edges = buildEdgeTable(whole.facetPoints, control);
-  size = MetricSize{};
-  size.area = metricArea(surface.shapes);
-  size.euler =
-    static_cast<double>(whole.numberOfPoints()) - edges.numberOfEdges() + whole.numberOfFacets();
-  for (std::size_t f = 0; f < surface.shapes.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (const Index valence = edges.valence(edges.facetEdges[f][k]); valence != 2)
-      {
-        size.border += (2.0 - valence) / valence * std::sqrt(surface.shapes[f].edge2(k));
-      }
-    }
-  }
+  size = sizeOf(preparation.mesh(), surface.shapes, control);
   return control.cancelled() ? Status::cancelled() : Status::success();
 }
 
@@ -196,6 +207,8 @@ Status embedMetric(const SurfaceMesh& mesh, const Features* features, const Metr
   }
   IsometryOptions isometry;
   isometry.dimension = options.dimension;
+  isometry.iterations = options.iterations;
+  isometry.energyDecrease = options.energyDecrease;
   return status.ok()
     ? embedIsometrically(preparation.mesh(), surface.shapes, isometry, control, surface.embedding)
     : status;

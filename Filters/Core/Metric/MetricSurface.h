@@ -25,6 +25,8 @@ struct MetricOptions
   bool isLimited = true; ///< to what straight edges can follow, and by `growth`
   double growth = 5.0;   ///< above 1, of sizes over a unit, at most
   bool mayRefine = true;
+  int iterations = 200;         ///< of the embedding, at most
+  double energyDecrease = 0.15; ///< see IsometryOptions
 };
 
 struct MetricSurface
@@ -58,13 +60,19 @@ struct MetricSize
   double points(double unit) const;
 };
 
+MetricSize sizeOf(
+  const SurfaceMesh& mesh, const std::vector<TargetShape>& shapes, const RunControl& control);
+
 /** As `embedMetric`, without the embedding. The unit must be given. */
 Status measureMetric(const SurfaceMesh& mesh, const MetricField& metric,
   const MetricOptions& options, const RunControl& control, MetricSize& size);
 
-/** The area of a surface in a metric as it is given. */
-Status findMetricArea(
-  const SurfaceMesh& mesh, const MetricField& metric, const RunControl& control, double& area);
+/**
+ * The length that edges must have in a metric as it is given, so that the surface's area in it is
+ * `complexity` squares of such edges; 1 where the complexity is 0.
+ */
+Status findComplexityUnit(const SurfaceMesh& mesh, const MetricField& metric, double complexity,
+  const RunControl& control, double& unit);
 
 /** Edges of triangles of equal sides: n of the points on an area are that far apart. */
 double unitOf(double area, Offset points);

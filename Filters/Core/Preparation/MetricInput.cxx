@@ -2,9 +2,11 @@
 
 #include "Mesh/Extent.h"
 #include "Mesh/FacetGeometry.h"
+#include "Metric/MetricRefinement.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -13,6 +15,7 @@ namespace remesh
 namespace
 {
 constexpr double mostVariation = 2.0; // of sizes within a facet: above, it is too large for them
+constexpr double leastMet = 0.9;      // of the area, within a factor of sqrt 2, or it is told
 constexpr double flatness = 1e-6;     // of the diagonal: what is a plane
 constexpr double asymmetry = 1e-6;    // of the largest entry: rounding of single precision
 
@@ -112,7 +115,6 @@ Status checkArray(const SurfaceMesh& mesh, const PointArray& array, Offset numbe
   }
   return Status::success();
 }
-
 }
 
 Status readMetric(const SurfaceMesh& mesh, const PointArray& array, TensorOrder order,
@@ -152,37 +154,16 @@ MetricFit fitOf(const MetricSurface& surface)
 {
   const std::vector<TargetShape>& shapes = surface.shapes;
   const std::vector<std::array<float, 2>>& stretches = surface.embedding.stretches;
-  constexpr double share = 0.05;
   MetricFit fit;
   double area = 0.0;
   double within = 0.0;
-  std::vector<std::pair<float, double>> least;
-  std::vector<std::pair<float, double>> most;
   for (std::size_t f = 0; f < shapes.size(); ++f)
   {
     area += shapes[f].area();
     const bool isNear = shapes[f].variation <= mostVariation && stretches[f][0] >= std::sqrt(0.5) &&
       stretches[f][1] <= std::sqrt(2.0);
     within += isNear ? shapes[f].area() : 0.0;
-    least.emplace_back(stretches[f][0], shapes[f].area());
-    most.emplace_back(-stretches[f][1], shapes[f].area());
   }
-  const auto quantile = [&](std::vector<std::pair<float, double>>& values)
-  {
-    std::sort(values.begin(), values.end());
-    double sum = 0.0;
-    for (const auto& [value, weight] : values)
-    {
-      sum += weight;
-      if (sum >= share * area)
-      {
-        return std::abs(static_cast<double>(value));
-      }
-    }
-    return 1.0;
-  };
-  fit.low = quantile(least);
-  fit.high = quantile(most);
   fit.within = (area > 0.0 ? within / area : 1.0) * (1.0 - surface.coarseShare);
   fit.unit = surface.unit;
   for (const float limit : surface.limits)
@@ -191,6 +172,45 @@ MetricFit fitOf(const MetricSurface& surface)
   }
   return fit;
 }
+
+void tellFit(const MetricFit& fit, std::vector<std::string>& warnings)
+{
+  if (fit.within < leastMet)
+  {
+    std::ostringstream warning;
+    warning.precision(2);
+    warning << "The metric is met on " << 100.0 * fit.within
+            << " % of the surface only: elsewhere it turns or grows faster than the surface's "
+               "triangles, or straight edges, can follow. Smaller triangles of the surface, or a "
+               "metric that changes more gradually, help.";
+    warnings.push_back(warning.str());
+  }
+}
+
+std::vector<std::array<double, 2>> stretchQuantiles(
+  const MetricSurface& surface, const std::vector<double>& shares)
+{
+  const double area = metricArea(surface.shapes);
+  std::vector<std::array<double, 2>> quantiles(shares.size(), { 1.0, 1.0 });
+  std::vector<std::pair<float, double>> values(surface.shapes.size());
+  for (int k = 0; k < 2; ++k)
+  {
+    for (std::size_t f = 0; f < values.size(); ++f)
+    {
+      values[f] = { surface.embedding.stretches[f][k], surface.shapes[f].area() };
+    }
+    std::sort(values.begin(), values.end());
+    for (std::size_t q = 0; q < shares.size(); ++q)
+    {
+      double sum = 0.0;
+      const auto found = std::find_if(values.begin(), values.end(),
+        [&](const auto& value) { return (sum += value.second) >= shares[q] * area; });
+      quantiles[q][k] = found == values.end() ? values.back().first : found->first;
+    }
+  }
+  return quantiles;
+}
+
 CornerCoordinates metricCoordinates(const SurfaceMesh& mesh, const MetricSurface& surface)
 {
   const Rows& places = surface.embedding.places;

@@ -31,12 +31,9 @@ enum class TensorOrder
 Status readMetric(const SurfaceMesh& mesh, const PointArray& array, TensorOrder order,
   Offset numberOfInputPoints, MetricField& metric);
 
-/** How well an embedding has the metric's lengths: quantiles by area of the least stretch of a
- * facet and of the largest. */
+/** How well an embedding has the metric's lengths. */
 struct MetricFit
 {
-  double low = 1.0;    ///< 5 % are stretched by less
-  double high = 1.0;   ///< 5 % by more
   double within = 1.0; ///< share of the area stretched by 1/sqrt 2 to sqrt 2 in all directions,
                        ///< where sizes vary within facets by no more than a factor of 2, and
                        ///< from one given point to the next by no more than 4
@@ -45,6 +42,16 @@ struct MetricFit
 };
 
 MetricFit fitOf(const MetricSurface& surface);
+
+/** A warning where the metric is not met on a tenth of the surface. */
+void tellFit(const MetricFit& fit, std::vector<std::string>& warnings);
+
+/**
+ * Quantiles by area in the metric of the least stretch of a facet, and of the largest one: on that
+ * share of the area they are smaller.
+ */
+std::vector<std::array<double, 2>> stretchQuantiles(
+  const MetricSurface& surface, const std::vector<double>& shares);
 
 /**
  * The corners' places in R^d: the points' in an isometric embedding of the metric, the same on all

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace remesh
@@ -21,9 +20,6 @@ namespace
 {
 /** Share of wrinkles (Wrinkles.h) up to which bends are kept as they are. */
 constexpr double mostWrinkles = 0.05;
-
-/** Of the area, that a metric's embedding meets within a factor of sqrt 2, or it is told. */
-constexpr double leastMet = 0.9;
 
 /** The diagonal of the box around the points that triangles use. */
 double diagonalOf(const TriangleSoup& soup)
@@ -269,16 +265,7 @@ Status embedMetric(
   }
   const MetricFit& fit = prepared.metricFit.emplace(fitOf(surface));
   prepared.coordinates = metricCoordinates(prepared.mesh, surface);
-  if (fit.within < leastMet)
-  {
-    std::ostringstream warning;
-    warning.precision(2);
-    warning << "The metric is met on " << 100.0 * fit.within
-            << " % of the surface only: elsewhere it turns or grows faster than the surface's "
-               "triangles, or straight edges, can follow. Smaller triangles of the surface, or a "
-               "metric that changes more gradually, help.";
-    prepared.warnings.push_back(warning.str());
-  }
+  tellFit(fit, prepared.warnings);
   return status;
 }
 
@@ -383,12 +370,9 @@ Status findUnitNumber(const PreparationRequest& request, double complexity,
       prepared.mesh, *request.metric, request.metricOrder, request.source.numberOfPoints, metric);
   }
   MetricOptions options = metricOptionsOf(request);
-  options.unit = 1.0;
-  if (status.ok() && complexity > 0.0)
+  if (status.ok())
   {
-    double area = 0.0;
-    status = findMetricArea(prepared.mesh, metric, control.silent(), area);
-    options.unit = std::sqrt(area / complexity);
+    status = findComplexityUnit(prepared.mesh, metric, complexity, control.silent(), options.unit);
   }
   if (status.ok())
   {
