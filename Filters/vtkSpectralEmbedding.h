@@ -29,7 +29,8 @@
  * functions are 0 on them. Points that no polygon uses have zeros.
  *
  * Takes memory of points x `Dimension` x 16 bytes, and some 4 kB for each point beside, and time
- * for 2.2 `Dimension` solutions with a sparse factor: seconds for 6 functions of 100 000 triangles.
+ * for some 2.8 `Dimension` solutions with a sparse factor: seconds for 6 functions of 100 000
+ * triangles, and about 50 s of one processor for a thousand.
  *
  * @par Reference:
  * B. Vallet, B. Levy: Spectral geometry processing with manifold harmonics. Computer Graphics Forum

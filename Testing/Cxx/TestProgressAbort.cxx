@@ -4,7 +4,10 @@
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
+#include "vtkMetricEmbedding.h"
 #include "vtkRestrictedVoronoiDiagram.h"
+#include "vtkSolutionMetric.h"
+#include "vtkSpectralEmbedding.h"
 
 #include <chrono>
 #include <functional>
@@ -232,6 +235,40 @@ void testResponsiveness()
     CHECK(outputsAreEmpty(filter));
   }
 }
+
+/** The filters that compute fields, on 100 000 points. */
+void testFieldResponsiveness()
+{
+  const auto input = polyDataOf(torus(1.0, 0.3, 500, 200));
+  addPointArray<vtkDoubleArray>(
+    input, "Size", 1, [](const Point3& p, int) { return 0.02 + 0.01 * std::sin(5.0 * p[0]); });
+  vtkNew<vtkMetricEmbedding> embedding;
+  embedding->SetMetricArray("Size");
+  vtkNew<vtkSpectralEmbedding> spectrum;
+  spectrum->SetDimension(400);
+  vtkNew<vtkSolutionMetric> metric;
+  metric->AddSolutionArray("Size");
+  const std::pair<vtkSurfaceFieldAlgorithm*, std::vector<double>> runs[] = {
+    { embedding, { 0.05, 0.2, 0.5, 1.0 } }, { spectrum, { 0.05, 0.2, 0.5, 1.0, 3.0 } },
+    { metric, { 0.05, 0.1 } }
+  };
+  for (const auto& [filter, delays] : runs)
+  {
+    filter->SetInputDataObject(input);
+    for (const double delay : delays)
+    {
+      double best = HUGE_VAL;
+      for (int attempt = 0; attempt < 5 && best > 0.3; ++attempt)
+      {
+        best = std::min(best, secondsToStop(filter, delay));
+      }
+      std::cout << filter->GetClassName() << " aborted after " << delay << " s, stopped " << best
+                << " s later.\n";
+      CHECK(best > 0.0 && best < 0.3);
+      CHECK(outputsAreEmpty(filter));
+    }
+  }
+}
 }
 
 int TestProgressAbort(int, char*[])
@@ -302,5 +339,6 @@ int TestProgressAbort(int, char*[])
   }
 
   testResponsiveness();
+  testFieldResponsiveness();
   return result();
 }

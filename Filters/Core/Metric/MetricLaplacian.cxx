@@ -111,23 +111,21 @@ Status MetricLaplacian::factor(const RunControl& control)
   Matrix matrix(this->numberOfPoints(), this->numberOfPoints());
   matrix.setFromTriplets(entries.begin(), entries.end());
   entries = {};
-  m_factor.compute(matrix);
-  return control.cancelled() ? Status::cancelled()
-    : m_factor.info() == Eigen::Success
-    ? Status::success()
-    : Status::invalid("The metric's Laplacian cannot be factored: sizes "
-                      "differ by more than numbers can tell.");
+  m_factor.analyze(matrix);
+  switch (m_factor.factorize(matrix, control))
+  {
+    case FactorOutcome::Cancelled:
+      return Status::cancelled();
+    case FactorOutcome::Singular:
+      return Status::invalid("The metric's Laplacian cannot be factored: sizes "
+                             "differ by more than numbers can tell.");
+    default:
+      return Status::success();
+  }
 }
 
 bool MetricLaplacian::solve(const Rows& right, const RunControl& control, Rows& solution) const
 {
-  solution.resize(right.rows(), right.cols());
-  return forEachBlock(right.cols(), control,
-    [&](Offset column)
-    {
-      const Eigen::VectorXd from = right.col(column);
-      const Eigen::VectorXd to = m_factor.solve(from);
-      solution.col(column) = to;
-    });
+  return m_factor.solve(right, control, solution);
 }
 }

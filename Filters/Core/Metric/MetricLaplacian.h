@@ -10,8 +10,7 @@
 
 #include "Metric/MetricField.h"
 #include "Support/Grouping.h"
-
-#include <Eigen/SparseCholesky>
+#include "Support/SparseFactor.h"
 
 namespace remesh
 {
@@ -50,12 +49,11 @@ public:
   bool divergence(const Rows& fields, const RunControl& control, Rows& sums) const;
 
   /**
-   * Factors G' A G, which a part in 1e10 of the masses makes regular. In one thread: O(V^1.5) time
-   * and O(V log V) memory (N. George, "Nested dissection", 1973, for a good order).
+   * Factors G' A G, which a part in 1e10 of the masses makes regular (SparseFactor.h).
    */
   Status factor(const RunControl& control);
 
-  /** Solves with that factor, column by column, in parallel. False when cancelled. */
+  /** Solves with that factor, in parallel. False when cancelled. */
   bool solve(const Rows& right, const RunControl& control, Rows& solution) const;
 
 private:
@@ -71,7 +69,7 @@ private:
   std::vector<double> m_masses;
   double m_area = 0.0;
   Groups m_corners; ///< of each point: 3 facet + k
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;
+  SparseFactor m_factor;
 };
 }
 

@@ -15,9 +15,25 @@ namespace remesh
 {
 namespace
 {
-constexpr Index blockSize = 4;        // equal eigenvalues up to that many are found at once
+constexpr Index blockSize = 8;        // equal eigenvalues up to that many are found at once
 constexpr double converged = 1e-9;    // residual of theta, relative to it
 constexpr std::uint64_t drawing = 23; // a stream of random numbers of its own
+
+/** Whether there is nothing but zeros beside the diagonal. */
+bool isDiagonal(const SparseRows& matrix)
+{
+  for (Index row = 0; row < matrix.rows(); ++row)
+  {
+    for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry)
+    {
+      if (entry.col() != row && entry.value() != 0.0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
 
 /** Dense algebra on tall matrices, by rows in fixed blocks. */
 class TallAlgebra
@@ -27,7 +43,12 @@ public:
     : m_laplacian(laplacian)
     , m_control(control.silent())
     , m_blocks(Blocks::cut(laplacian.size, 64, 1 << 12))
+    , m_isDiagonal(isDiagonal(laplacian.mass))
   {
+    if (m_isDiagonal)
+    {
+      m_diagonal = laplacian.mass.diagonal();
+    }
   }
 
   bool done() const { return m_done; }
@@ -39,6 +60,12 @@ public:
     this->overRows(
       [&](Offset begin, Offset length)
       {
+        if (m_isDiagonal)
+        {
+          product.middleRows(begin, length) =
+            m_diagonal.segment(begin, length).asDiagonal() * x.middleRows(begin, length);
+          return;
+        }
         for (Offset row = begin; row < begin + length; ++row)
         {
           product.row(row).setZero();
@@ -130,7 +157,9 @@ private:
   const SurfaceLaplacian& m_laplacian;
   RunControl m_control;
   Blocks m_blocks;
-  Eigen::VectorXd m_masses; ///< of the components
+  bool m_isDiagonal;          ///< the mass matrix
+  Eigen::VectorXd m_diagonal; ///< then
+  Eigen::VectorXd m_masses;   ///< of the components
   bool m_done = true;
 };
 
@@ -192,13 +221,11 @@ private:
       m_algebra.subtract(m_known, m_algebra.product(m_known, m_algebra.weighted(next)), next);
     }
     double scale = 0.0; // of the squared norms of what comes
-    for (int pass = 0; pass < 2 && m_size > 0; ++pass)
+    if (isImage)
     {
-      const auto basis = m_basis.leftCols(m_size);
-      const Eigen::MatrixXd part = m_algebra.product(basis, m_algebra.weighted(next));
-      m_algebra.subtract(basis, part, next);
-      m_projected.block(0, column, m_size, count) += part;
-      scale = std::max(scale, part.colwise().squaredNorm().maxCoeff());
+      // Nearly all that is not new is in the last two blocks; one pass over the basis does then.
+      scale = this->subtractFrom(m_previous, column, next);
+      this->subtractFrom(0, column, next);
     }
     Eigen::MatrixXd toNext = Eigen::MatrixXd::Identity(count, count);
     for (int pass = 0; pass < 2; ++pass)
@@ -206,6 +233,7 @@ private:
       const Eigen::MatrixXd gram = m_algebra.product(next, m_algebra.weighted(next));
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
       constexpr double dependent = 1e-26; // squared: what rounding leaves
+      constexpr double doubtful = 1e-8;   // squared: where rounding counts, another pass
       scale = std::max(scale, gram.diagonal().maxCoeff());
       const double least = pass == 0 ? dependent * scale : 0.5;
       const auto kept = (solver.eigenvalues().array() > least).count();
@@ -213,7 +241,13 @@ private:
       const Eigen::VectorXd roots = solver.eigenvalues().tail(kept).cwiseSqrt();
       next = m_algebra.combined(next, vectors * roots.cwiseInverse().asDiagonal());
       toNext = (roots.asDiagonal() * vectors.transpose() * toNext).eval();
+      if (isImage && pass == 0 && kept > 0 && roots[0] * roots[0] < doubtful * scale)
+      {
+        const auto basis = m_basis.leftCols(m_size);
+        m_algebra.subtract(basis, m_algebra.product(basis, m_algebra.weighted(next)), next);
+      }
     }
+    m_previous = column;
     const auto added = std::min<Eigen::Index>(next.cols(), m_basis.cols() - m_size);
     m_basis.middleCols(m_size, added) = next.leftCols(added);
     if (isImage)
@@ -222,6 +256,16 @@ private:
     }
     m_size += static_cast<Index>(added);
     return static_cast<Index>(added);
+  }
+
+  /** Takes the part in the basis, from a column on, out; its largest squared norm. */
+  double subtractFrom(Index first, Index column, Eigen::MatrixXd& next)
+  {
+    const auto basis = m_basis.middleCols(first, m_size - first);
+    const Eigen::MatrixXd part = m_algebra.product(basis, m_algebra.weighted(next));
+    m_algebra.subtract(basis, part, next);
+    m_projected.block(first, column, m_size - first, next.cols()) += part;
+    return part.colwise().squaredNorm().maxCoeff();
   }
 
   /** Ritz pairs of the basis but for its last block, whose part of the images is the residual. */
@@ -267,6 +311,7 @@ private:
   Eigen::MatrixXd m_basis;     ///< n x most, of which `m_size` are there
   Eigen::MatrixXd m_projected; ///< of the operator, in the basis
   Index m_size = 0;
+  Index m_previous = 0; ///< the block before the last one begins there
 };
 }
 
@@ -275,22 +320,25 @@ ShiftedLaplacian::ShiftedLaplacian(const SurfaceLaplacian& laplacian)
   , m_stiffness(laplacian.stiffness.triangularView<Eigen::Lower>())
   , m_mass(laplacian.mass.triangularView<Eigen::Lower>())
 {
-  m_factor.analyzePattern(m_stiffness);
+  m_factor.analyze(m_stiffness);
 }
 
-Status ShiftedLaplacian::factor(double shift)
+Status ShiftedLaplacian::factor(double shift, const RunControl& control)
 {
   constexpr int tries = 5;
   constexpr double aside = 1e-5; // of the shift, where it hits an eigenvalue
   for (int k = 0; k < tries; ++k)
   {
     m_shift = shift * (1.0 + k * aside);
-    const Lower matrix = m_stiffness - m_shift * m_mass;
-    m_factor.factorize(matrix);
-    if (m_factor.info() == Eigen::Success && m_factor.vectorD().allFinite())
+    switch (m_factor.factorize(m_stiffness - m_shift * m_mass, control))
     {
-      m_below = static_cast<Index>((m_factor.vectorD().array() < 0.0).count());
-      return Status::success();
+      case FactorOutcome::Done:
+        m_below = m_factor.negatives();
+        return Status::success();
+      case FactorOutcome::Cancelled:
+        return Status::cancelled();
+      default:
+        break;
     }
   }
   return Status::invalid("The Laplacian cannot be factored: the surface has triangles whose angles "
@@ -300,14 +348,7 @@ Status ShiftedLaplacian::factor(double shift)
 bool ShiftedLaplacian::solve(
   const Eigen::MatrixXd& right, const RunControl& control, Eigen::MatrixXd& solution) const
 {
-  solution.resize(right.rows(), right.cols());
-  return forEachBlock(right.cols(), control,
-    [&](Offset column)
-    {
-      const Eigen::VectorXd from = right.col(column);
-      const Eigen::VectorXd to = m_factor.solve(from);
-      solution.col(column) = to;
-    });
+  return m_factor.solve(right, control, solution);
 }
 
 bool findAround(const ShiftedLaplacian& shifted, const Eigen::MatrixXd& known, Index basis,

@@ -4,8 +4,9 @@
  *
  * 1. Factor K - shift M = L D L'. The number of negative entries of D is the number of eigenvalues
  *    below the shift (Sylvester).
- * 2. Block Krylov basis of (K - shift M)^-1 M, orthonormal in M, each block made orthogonal to all
- *    of the basis twice: eigenvalues that are equal are found together.
+ * 2. Block Krylov basis of (K - shift M)^-1 M, orthonormal in M: each block is made orthogonal to
+ * the last two, and then to all of the basis, by products of matrices. Eigenvalues that are equal
+ * are found together.
  * 3. Rayleigh-Ritz: values theta give lambda = shift + 1 / theta, the largest |theta| first.
  *
  * Source: R. Grimes, J. Lewis, H. Simon, "A shifted block Lanczos algorithm for solving sparse
@@ -15,8 +16,7 @@
 #define remesh_BlockLanczos_h
 
 #include "Spectrum/SurfaceLaplacian.h"
-
-#include <Eigen/SparseCholesky>
+#include "Support/SparseFactor.h"
 
 namespace remesh
 {
@@ -42,10 +42,10 @@ public:
   explicit ShiftedLaplacian(const SurfaceLaplacian& laplacian);
 
   /**
-   * Factors for a shift, or one next to it where that is an eigenvalue. One thread, O(n^1.5).
-   * @return InvalidInput where no shift nearby can be factored.
+   * Factors for a shift, or one next to it where that is an eigenvalue.
+   * @return Cancelled, or InvalidInput where no shift nearby can be factored.
    */
-  Status factor(double shift);
+  Status factor(double shift, const RunControl& control);
 
   double shift() const { return m_shift; }
   /** Exactly, but for rounding; constants count as eigenvalues 0. */
@@ -57,12 +57,12 @@ public:
     const Eigen::MatrixXd& right, const RunControl& control, Eigen::MatrixXd& solution) const;
 
 private:
-  using Lower = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+  using Lower = SparseFactor::Matrix;
 
   const SurfaceLaplacian& m_laplacian;
   Lower m_stiffness; ///< lower triangles of equal patterns
   Lower m_mass;
-  Eigen::SimplicialLDLT<Lower> m_factor;
+  SparseFactor m_factor;
   double m_shift = 0.0;
   Index m_below = 0;
 };

@@ -38,7 +38,9 @@ public:
     : m_laplacian(laplacian)
     , m_control(control)
     , m_shifted(laplacian)
+    , m_counter(m_shifted)
     , m_wanted(count)
+    , m_functions(laplacian.size, count)
   {
   }
 
@@ -51,7 +53,7 @@ public:
       status = this->addNext();
     }
     pairs.values.assign(m_values.begin(), m_values.begin() + (status.ok() ? m_wanted : 0));
-    pairs.functions = m_functions.leftCols(static_cast<Eigen::Index>(pairs.values.size()));
+    pairs.functions = std::move(m_functions);
     return status;
   }
 
@@ -67,9 +69,9 @@ private:
   Status addNext()
   {
     constexpr int tries = 8;
-    double ahead = 0.8 * m_reach;
+    double ahead = m_reach;
     const Index before = this->count();
-    for (int k = 0; k < tries; ++k, ahead *= 0.6)
+    for (int k = 0; k < tries; ++k, ahead *= 0.75)
     {
       // Below all eigenvalues at first, but no farther than the distance of two (H. Weyl, 1911).
       Status status = this->addBand(before > 0 ? m_end + ahead : -4.0 * pi / m_laplacian.area);
@@ -86,7 +88,7 @@ private:
   /** Adds the pairs around a shift, beyond the last band's end, if it reaches that. */
   Status addBand(double shift)
   {
-    if (Status status = m_shifted.factor(shift); !status.ok())
+    if (Status status = m_shifted.factor(shift, m_control.silent()); !status.ok())
     {
       return status;
     }
@@ -117,9 +119,8 @@ private:
   /** How many eigenvalues there are from the last band's end to a value. */
   Status countBelow(double value, Index& wanted)
   {
-    ShiftedLaplacian there(m_laplacian);
-    Status status = there.factor(value);
-    wanted = there.eigenvaluesBelow() - m_laplacian.numberOfConstants - this->count();
+    Status status = m_counter.factor(value, m_control.silent());
+    wanted = m_counter.eigenvaluesBelow() - m_laplacian.numberOfConstants - this->count();
     return status;
   }
 
@@ -152,9 +153,8 @@ private:
   }
 
   /**
-   * Where no eigenvalue is near: in the last gap that is at least half as wide as the widest one,
-   * of those between the pairs beyond the last band, and from the last pair to what has not
-   * converged.
+   * Where no eigenvalue is near: in the last gap that is at least as wide as the mean one, of those
+   * between the pairs beyond the last band, and from the last pair to what has not converged.
    */
   double endOf(const FoundBand& band) const
   {
@@ -169,13 +169,9 @@ private:
     constexpr double sure = 0.5;
     const double last = values.back();
     values.push_back(std::isfinite(band.high) ? last + sure * (band.high - last) : 2.0 * last);
-    double widest = 0.0;
-    for (std::size_t k = 1; k < values.size(); ++k)
-    {
-      widest = std::max(widest, values[k] - values[k - 1]);
-    }
+    const double mean = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
     std::size_t k = values.size() - 1;
-    while (values[k] - values[k - 1] < 0.5 * widest)
+    while (k > 1 && values[k] - values[k - 1] < mean)
     {
       --k;
     }
@@ -195,26 +191,34 @@ private:
     }
     std::stable_sort(order.begin(), order.end(),
       [&](Eigen::Index a, Eigen::Index b) { return values[a] < values[b]; });
-    m_functions.conservativeResize(
-      m_laplacian.size, this->count() + static_cast<Eigen::Index>(order.size()));
     for (const Eigen::Index k : order)
     {
-      m_functions.col(this->count()) = band.pairs.functions.col(k);
+      if (this->count() < m_wanted)
+      {
+        m_functions.col(this->count()) = band.pairs.functions.col(k);
+      }
       m_values.push_back(values[k]);
     }
-    m_reach = end - m_shifted.shift();
+    // A band reaches as far to both sides as the last one did. What converges on one side alone, as
+    // at first, comes from both sides later.
+    constexpr double oneSided = 0.55;
+    constexpr double overlap = 0.93;
+    const bool isFirst = m_end == 0.0;
+    m_reach = (isFirst ? oneSided : overlap) *
+      std::min(band.high - m_shifted.shift(), end - m_shifted.shift());
     m_end = end;
   }
 
   const SurfaceLaplacian& m_laplacian;
   RunControl m_control;
   ShiftedLaplacian m_shifted;
+  ShiftedLaplacian m_counter; ///< at the end of a band
   Index m_wanted;
-  double m_reach = 0.0; ///< from the last band's shift to its end
-  Index m_effort = 1;   ///< the basis is as many times as large
-  double m_end = 0.0;   ///< all eigenvalues below it are there, and none is next to it
-  std::vector<double> m_values;
-  Eigen::MatrixXd m_functions;
+  double m_reach = 0.0;         ///< from a band's end to the next one's shift
+  Index m_effort = 1;           ///< the basis is as many times as large
+  double m_end = 0.0;           ///< all eigenvalues below it are there, and none is next to it
+  std::vector<double> m_values; ///< may become more than are wanted
+  Eigen::MatrixXd m_functions;  ///< n x wanted, of which so many are there
 };
 
 /** The largest entry of each function, the first of equal ones, becomes positive. */

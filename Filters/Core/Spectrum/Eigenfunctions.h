@@ -10,8 +10,9 @@
  *
  * Source: B. Vallet, B. Levy, "Spectral geometry processing with manifold harmonics", 2008.
  * [Vallet08]
- * Cost: for d functions of n points O(d) solutions with factors, O(n) dense work for each, and a
- * factor for a hundred functions; memory n d doubles, and some 400 n beside.
+ * Cost: for d functions of n points O(d) solutions with factors, O(n) dense work for each, and two
+ * factors for some 140 functions; memory n d doubles, and some 600 n beside. (measured, a torus of
+ * 100 000 triangles: d = 1000 in 50 s of processor time, of which half is the dense work.)
  */
 #ifndef remesh_Eigenfunctions_h
 #define remesh_Eigenfunctions_h
