@@ -135,6 +135,14 @@ class TestExamplePictures(unittest.TestCase):
         self.assertLess(wave[1:, 1].max() / wave[1:, 1].min(), 1.5)
         self.assertTrue((wave[1:, 1] < 0.8 * wave[1:, 0]).all())
 
+    def test_metrics(self):
+        text = self.draw("metrics", "--points", "600", panels=3)
+        share, limit, mean, spread, unit = numbers(text.replace("%", " "))
+        self.assertGreater(share, 99.0)
+        self.assertLess(limit, 1.2)
+        self.assertLess(spread, 0.12 * mean)
+        self.assertLess(abs(mean / unit - 1.0), 0.1)
+
     def test_threads(self):
         self.assertIn("All meshes are the same", run("threads", "--points", "500"))
 
