@@ -2,10 +2,11 @@
  * @file BatchIntegration.h
  * @brief Integrates a block's facets that two or three sites share, a batch after the other.
  *
- * Which facets these are is a guess by the owners of their corners: two or three different ones
- * (FacetBatch.h). A facet is refused, and goes to FacetIntegration, where another site may have a
- * part, where the reference's list is too short to tell, or where the sites do not part in a plain
- * way.
+ * Which facets these are is a guess by the owners of their corners: two or three different ones.
+ * Those that turn out to be shared in another way are collected again for that pattern
+ * (FacetBatch.h). A facet is refused, and goes to FacetIntegration, where yet another site may have
+ * a part, where the reference's list is too short to tell, or where the sites do not part in a
+ * plain way.
  */
 #ifndef remesh_BatchIntegration_h
 #define remesh_BatchIntegration_h
