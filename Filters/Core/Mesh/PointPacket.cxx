@@ -119,25 +119,42 @@ struct PlaceEvaluation
     replaceChosen(by, less, values);
   }
 
-  /** From the plane, and which points do not lie above the triangle. */
-  [[gnu::always_inline]] static inline void measureInside(
-    const PacketTriangle& triangle, const LanePoint& way, Lanes& squared, LaneBits& outside)
+  /** Where points are in a triangle's plane. */
+  struct Feet
+  {
+    Lanes squared;    ///< distances from the plane
+    Lanes side{};     ///< at least: those of the feet from the triangle, squared
+    LaneBits outside; ///< of the triangle
+  };
+
+  /** Adds what a weight tells: if it is negative, how far the foot is from the edge. */
+  [[gnu::always_inline]] static inline void addSide(const Lanes& weight, double height2, Feet& feet)
+  {
+    LaneBits outside;
+    LaneBits farther;
+    findNegative(weight, outside);
+    feet.outside |= outside;
+    const Lanes side = weight * weight * height2;
+    findNegative(feet.side - side, farther);
+    replaceChosen(side, outside & farther, feet.side);
+  }
+
+  [[gnu::always_inline]] static inline void findFeet(
+    const PacketTriangle& triangle, const LanePoint& way, Feet& feet)
   {
     Lanes u;
     Lanes v;
     multiply(triangle.first, way, u);
     multiply(triangle.second, way, v);
-    LaneBits negative;
-    findNegative(u, outside);
-    findNegative(v, negative);
-    outside |= negative;
-    findNegative(1.0 - u - v, negative);
-    outside |= negative;
-    squared = Lanes{};
+    feet.outside = LaneBits{};
+    addSide(u, triangle.heights[0], feet);
+    addSide(v, triangle.heights[1], feet);
+    addSide(1.0 - u - v, triangle.heights[2], feet);
+    feet.squared = Lanes{};
     for (int axis = 0; axis < 3; ++axis)
     {
       const Lanes rest = way[axis] - u * triangle.edges[0][axis] - v * triangle.edges[1][axis];
-      squared += rest * rest;
+      feet.squared += rest * rest;
     }
   }
 
@@ -167,22 +184,24 @@ struct PlaceEvaluation
     {
       way[axis] -= task.triangle.corner[axis];
     }
-    Lanes squared;
-    LaneBits outside;
-    measureInside(task.triangle, way, squared, outside);
+    Feet feet;
+    findFeet(task.triangle, way, feet);
     Lanes known;
     load(task.packet.squared, known);
     LaneBits nearer;
-    findNegative(squared - known, nearer); // no edge is nearer than the plane
+    findNegative(feet.squared + feet.side - known, nearer);
     if (bitsOf(nearer) == 0)
     {
       return 0;
     }
-    if (bitsOf(nearer & outside) != 0)
+    Lanes squared = feet.squared;
+    if (bitsOf(nearer & feet.outside) != 0)
     {
-      measureEdges(task.triangle, way, outside, squared);
-      findNegative(squared - known, nearer);
+      measureEdges(task.triangle, way, feet.outside, squared);
     }
+    LaneBits less; // the others have not been measured
+    findNegative(squared - known, less);
+    nearer &= less;
     replaceChosen(squared, nearer, known);
     store(known, task.packet.squared);
     return bitsOf(nearer);
@@ -209,6 +228,9 @@ bool PacketTriangle::set(const Point3& a, const Point3& b, const Point3& c)
   this->inverse[0] = 1.0 / uu;
   this->inverse[1] = 1.0 / vv;
   this->inverse[2] = 1.0 / ww;
+  this->heights[0] = determinant * this->inverse[1];
+  this->heights[1] = determinant * this->inverse[0];
+  this->heights[2] = determinant * this->inverse[2];
   this->first = inverseOfAll * (vv * this->edges[0] - uv * this->edges[1]);
   this->second = inverseOfAll * (uu * this->edges[1] - uv * this->edges[0]);
   return true;

@@ -51,6 +51,7 @@ struct PacketTriangle
   Point3 corner;
   Point3 edges[3];   ///< from the corner to the second and the third one, and between these
   double inverse[3]; ///< of their squared lengths
+  double heights[3]; ///< squared: of the second corner, the third, and the first one
   // Their products with a way from the corner are the weights of the other two corners.
   Point3 first;
   Point3 second;
