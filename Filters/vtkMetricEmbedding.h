@@ -45,7 +45,8 @@
  * warning says so. Across creases, borders of labels and non-manifold edges the metric is that of
  * both sides. A surface need not be orientable. Points that no polygon uses have zeros.
  *
- * Takes memory of the order of 3 kB for each point of the split surface.
+ * Takes 2 kB and 0.1 ms of a processor for each point of the split surface. (Measured: 100 000
+ * points, split to 200 000.)
  *
  * @par Reference:
  * O. Sorkine, M. Alexa: As-rigid-as-possible surface modeling. Symposium on Geometry Processing,
