@@ -1,3 +1,7 @@
+// First: newer VTK headers bring a copy of this library, and give its name to that.
+#include <nlohmann/json.hpp>
+using Json = nlohmann::ordered_json;
+
 #include "Report.h"
 
 #include "CommandLine.h"
@@ -9,12 +13,8 @@
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 #include <sys/resource.h>
-
-using Json = nlohmann::ordered_json;
 
 namespace
 {
