@@ -1,11 +1,13 @@
+// First: newer VTK headers bring a copy of this library, and give its name to that.
+#include <nlohmann/json.hpp>
+using Json = nlohmann::ordered_json;
+
 #include "Results.h"
 
 #include "Measure.h"
 
 #include <vtkSMPTools.h>
 #include <vtkVersion.h>
-
-#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <stdexcept>
@@ -15,8 +17,6 @@ namespace remesh::benchmark
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
-
 /** As Linux names it; "" elsewhere. */
 std::string processorModel()
 {
