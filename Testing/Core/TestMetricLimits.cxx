@@ -8,8 +8,10 @@
 #include "Metric/StraightEdges.h"
 #include "TestSupport.h"
 
+#include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 using namespace remesh;
 using namespace remesh::test;
@@ -231,6 +233,31 @@ void testSameBytes()
   CHECK(surfaces[0].limits == surfaces[1].limits);
   CHECK(*std::max_element(surfaces[0].limits.begin(), surfaces[0].limits.end()) > 1.2F);
 }
+
+/** Told to stop when it asks for the k-th time, it says so, and reads nothing that is not whole. */
+void testCancelled()
+{
+  const SurfaceMesh mesh = sector(8, 12);
+  const MetricField metric = fieldOf(mesh, ring(0.05, 0.2));
+  MetricOptions options;
+  options.sites = 300;
+  options.iterations = 2;
+  std::atomic<int> asked(0);
+  const auto run = [&](int most)
+  {
+    asked = 0;
+    const RunControl control(nullptr, [&]() { return ++asked >= most; });
+    MetricSurface surface;
+    return embedMetric(mesh, nullptr, metric, options, control, surface).code;
+  };
+  CHECK(run(std::numeric_limits<int>::max()) == StatusCode::Ok);
+  const int all = asked;
+  CHECK(all > 50);
+  for (int most = 1; most < all; most += 1 + most / 10)
+  {
+    CHECK(run(most) == StatusCode::Cancelled);
+  }
+}
 }
 
 int TestMetricLimits(int, char*[])
@@ -241,5 +268,6 @@ int TestMetricLimits(int, char*[])
   testGrowth();
   testNumber();
   testSameBytes();
+  testCancelled();
   return result();
 }

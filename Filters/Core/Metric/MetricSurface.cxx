@@ -92,6 +92,10 @@ private:
       return Status::success();
     }
     const EdgeTable edges = buildEdgeTable(m_mesh->facetPoints, control);
+    if (control.cancelled())
+    {
+      return Status::cancelled();
+    }
     for (double last = 0.0; std::abs(m_surface.unit - last) > sameUnit * m_surface.unit;)
     {
       const bool isSecond = last > 0.0;

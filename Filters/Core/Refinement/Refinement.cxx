@@ -78,6 +78,10 @@ bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
     const EdgeTable own =
       surface.features ? EdgeTable{} : buildEdgeTable(surface.mesh.facetPoints, control);
     const EdgeTable& edges = surface.features ? surface.features->edges : own;
+    if (control.cancelled())
+    {
+      break; // the table is not whole
+    }
     EdgesToSplit wanted;
     criterion(surface, edges, wanted);
     if (std::find(wanted.marked.begin(), wanted.marked.end(), 1) == wanted.marked.end())

@@ -197,7 +197,10 @@ Status RestrictedVoronoi::integrate(const Sites& sites, const RunControl& contro
   }
   // In any case: they are not to be left waiting.
   Status others = this->endOthers(control, status.ok() ? &sums : nullptr);
-  status = status.ok() ? std::move(others) : std::move(status);
+  if (status.ok())
+  {
+    status = std::move(others);
+  }
   return status.ok() ? this->finish(control, sums) : status;
 }
 
