@@ -7,9 +7,7 @@
  * places are the metric's, as far as that goes. Even triangles there are the triangles that the
  * metric asks for.
  *
- * vtkAnisotropicRemesher does the same inside for a `MetricArray`. Take this filter to look at the
- * embedding, to see where the metric cannot be met, to change it, or to remesh several times with
- * it.
+ * vtkAnisotropicRemesher does the same inside for a `MetricArray`.
  *
  * 1. The surface's triangles are split where they are longer than half of an edge of the mesh
  *    that the embedding is for, or the metric changes a lot along them (`Refine`).
@@ -17,6 +15,10 @@
  * 3. Start: the smoothest functions on the surface, eigenfunctions of the metric's Laplacian.
  * 4. Steps in turn: the nearest isometry of each triangle, in closed form; then the places that are
  *    nearest to all of these, by one sparse factor. They end where they gain little.
+ *
+ * @par When to use it:
+ * - To see where a metric cannot be met, and how it is limited, before a mesh is made.
+ * - To remesh several times in one metric, or in an embedding that you change.
  *
  * @par Outputs and arrays:
  * Output: the surface in triangles, with the input's arrays. Its first points are those of the

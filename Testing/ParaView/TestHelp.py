@@ -183,7 +183,7 @@ for (group, name), proxy in proxies.items():
         if file in files:
             check_page(name, proxy, files[file])
         check_icons(name, proxy, resources)
-check(len(wanted) == 7, f"{len(wanted) - 1} filters instead of 6")
+check(len(wanted) == 8, f"{len(wanted) - 1} filters instead of 7")
 check(set(files) == wanted, f"pages {sorted(files)} instead of {sorted(wanted)}")
 
 for problem in problems:
