@@ -270,9 +270,9 @@ private:
 };
 }
 
-std::unique_ptr<SiteProposal> joinCurves()
+std::unique_ptr<SiteProposal> joinCurves(int settledEdits)
 {
-  return std::make_unique<JoinCurves>(0);
+  return std::make_unique<JoinCurves>(settledEdits);
 }
 
 std::unique_ptr<SiteProposal> refineFaults(Refining how, int settledEdits)

@@ -37,7 +37,7 @@ private:
 };
 
 /** A curve that a cell reaches between two of its sites gets a place there; a free site goes. */
-std::unique_ptr<SiteProposal> joinCurves();
+std::unique_ptr<SiteProposal> joinCurves(int settledEdits);
 
 /** How `refineFaults` works. */
 enum class Refining

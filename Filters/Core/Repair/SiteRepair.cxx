@@ -58,6 +58,7 @@ SiteTable topologyTable()
 {
   SiteTable table;
   // proposal, most edits, patience
+  table.push_back({ "join curves", joinCurves(4), 10, 10 });
   table.push_back({ "refine faults", refineFaults(Refining::AddSites, 2), 32, 8 });
   table.push_back({ "divide curves", divideCurves(), 32, 8 });
   table.push_back({ "cut tips", refineFaults(Refining::CutTips, 0), 32, 8 });
@@ -70,7 +71,7 @@ SiteTable topologyTable()
 SiteTable facingTable()
 {
   SiteTable table;
-  table.push_back({ "join curves", joinCurves(), 10, 10 });
+  table.push_back({ "join curves", joinCurves(0), 10, 10 });
   table.push_back({ "refine faults", refineFaults(Refining::AddSites, 0), 32, 4 });
   table.push_back({ "adjust number", adjustNumber(0), 10, 10 });
   table.push_back({ "divide curves at inverted", divideCurvesAtInverted(), 8, 2 });
