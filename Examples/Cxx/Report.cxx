@@ -1,7 +1,3 @@
-// First: newer VTK headers bring a copy of this library, and give its name to that.
-#include <nlohmann/json.hpp>
-using Json = nlohmann::ordered_json;
-
 #include "Report.h"
 
 #include "CommandLine.h"
@@ -13,8 +9,17 @@ using Json = nlohmann::ordered_json;
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
+// Newer VTK headers bring a copy of this library, and two do not go together.
+#ifdef VTK_NLOHMANN_JSON
+#include VTK_NLOHMANN_JSON(json.hpp)
+#else
+#include <nlohmann/json.hpp>
+#endif
+
 #include <cstdio>
 #include <sys/resource.h>
+
+using Json = nlohmann::ordered_json;
 
 namespace
 {

@@ -1,13 +1,16 @@
-// First: newer VTK headers bring a copy of this library, and give its name to that.
-#include <nlohmann/json.hpp>
-using Json = nlohmann::ordered_json;
-
 #include "Results.h"
 
 #include "Measure.h"
 
 #include <vtkSMPTools.h>
 #include <vtkVersion.h>
+
+// Newer VTK headers bring a copy of this library, and two do not go together.
+#ifdef VTK_NLOHMANN_JSON
+#include VTK_NLOHMANN_JSON(json.hpp)
+#else
+#include <nlohmann/json.hpp>
+#endif
 
 #include <fstream>
 #include <stdexcept>
@@ -17,6 +20,8 @@ namespace remesh::benchmark
 {
 namespace
 {
+using Json = nlohmann::ordered_json;
+
 /** As Linux names it; "" elsewhere. */
 std::string processorModel()
 {
