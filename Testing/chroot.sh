@@ -49,6 +49,8 @@ make()
   fi
   cp /etc/resolv.conf "$1/etc/resolv.conf"
   mkdir -p "$1/src"
+  # Files that are gone since an earlier run are to go there, too.
+  find "$1/src" -mindepth 1 -maxdepth 1 ! -name 'build*' -exec rm -rf {} +
   (cd "$sources" && tar -c --exclude='./build*' --exclude=./.git .) | tar -x -C "$1/src"
 }
 
