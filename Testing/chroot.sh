@@ -51,7 +51,8 @@ make()
   mkdir -p "$1/src"
   # Files that are gone since an earlier run are to go there, too.
   find "$1/src" -mindepth 1 -maxdepth 1 ! -name 'build*' -exec rm -rf {} +
-  (cd "$sources" && tar -c --exclude='./build*' --exclude=./.git .) | tar -x -C "$1/src"
+  # As if written now: objects of an earlier run must not seem newer than what they are made of.
+  (cd "$sources" && tar -c --exclude='./build*' --exclude=./.git .) | tar -x -m -C "$1/src"
 }
 
 # enter DIR COMMAND...: runs it in there, with what programs want mounted for this run alone: in a
