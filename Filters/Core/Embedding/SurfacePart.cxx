@@ -2,6 +2,25 @@
 
 namespace remesh
 {
+namespace
+{
+/** All that is sent of a surface but its facets, in this order. */
+template <class Surface, class Visit>
+void visitValues(Surface& surface, const Visit& visit)
+{
+  visit(surface.dimension);
+  visit(surface.patches);
+  visit(surface.corners);
+  visit(surface.constants);
+  visit(surface.densities);
+  visit(surface.center);
+  visit(surface.unit);
+  visit(surface.mass);
+  visit(surface.siteMeasure);
+  visit(surface.densityUnit);
+}
+}
+
 EmbeddedSurface partOf(const EmbeddedSurface& surface, Offset begin, Offset end)
 {
   const auto d = static_cast<std::size_t>(surface.dimension);
@@ -58,35 +77,17 @@ EmbeddedSurface partOf(const EmbeddedSurface& surface, Offset begin, Offset end)
 
 void addSurface(const EmbeddedSurface& surface, Packet& packet)
 {
-  packet.add(surface.dimension);
-  packet.add(surface.patches);
-  packet.add(surface.corners);
   packet.add(static_cast<const std::vector<Triple>&>(surface.facetCorners));
-  packet.add(surface.constants);
-  packet.add(surface.densities);
-  packet.add(surface.center);
-  packet.add(surface.unit);
-  packet.add(surface.mass);
-  packet.add(surface.siteMeasure);
-  packet.add(surface.densityUnit);
+  visitValues(surface, [&](const auto& value) { packet.add(value); });
 }
 
 EmbeddedSurface takeSurface(Packet& packet)
 {
   EmbeddedSurface surface;
   std::vector<Triple> facets;
-  packet.take(surface.dimension);
-  packet.take(surface.patches);
-  packet.take(surface.corners);
   packet.take(facets);
-  packet.take(surface.constants);
-  packet.take(surface.densities);
-  packet.take(surface.center);
-  packet.take(surface.unit);
-  packet.take(surface.mass);
-  packet.take(surface.siteMeasure);
-  packet.take(surface.densityUnit);
   surface.facetCorners = std::move(facets);
+  visitValues(surface, [&](auto& value) { packet.take(value); });
   return surface;
 }
 }

@@ -49,8 +49,8 @@ struct FlowMatrix
   std::vector<Index> columns;
   std::vector<float> weights; ///< t times the cotangents' half sum, >= 0
   std::vector<double> masses; ///< C
-  std::vector<double>
-    diagonal; ///< C, sums of masses and weights: the same normals stay as they are
+  /** C, sums of masses and weights: where all normals are the same, they stay as they are. */
+  std::vector<double> diagonal;
 
   FloatVector row(const std::vector<FloatVector>& x, std::size_t i) const
   {

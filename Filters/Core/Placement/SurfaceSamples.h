@@ -141,8 +141,9 @@ void forEachSample(
       &problem.facetPoint(facet, 2) };
     SurfaceSample sample;
     sample.facet = facet;
-    sample.normal = length > 1e-145 ? Point3((1.0 / length) * vector)
-                                    : facetNormal(*corners[0], *corners[1], *corners[2]);
+    constexpr double shortest = 1e-145; // whose square is not 0
+    sample.normal = length > shortest ? Point3((1.0 / length) * vector)
+                                      : facetNormal(*corners[0], *corners[1], *corners[2]);
     const auto visitPart = [&](const Point3& point, double weight)
     {
       sample.point = point;

@@ -38,7 +38,7 @@ struct Shares
   L quadratic{};  ///< of sum b_k b_l |p_k - p_l|^2
 };
 
-/** What both ways to share have in common. */
+/** What all patterns have in common. */
 template <int D, class L>
 struct FacetLanes
 {
