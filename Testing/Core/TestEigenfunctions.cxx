@@ -2,6 +2,7 @@
 // equation, equal parts, many functions, kernels, borders, errors, the same bytes on any threads.
 
 #include "Spectrum/SpectralEmbedding.h"
+#include "TestCancels.h"
 #include "TestSupport.h"
 
 #include <Eigen/Eigenvalues>
@@ -183,9 +184,25 @@ void testErrors()
   status = embedSpectrally(
     strip, optionsOf(1, MassMatrix::Lumped, BorderCondition::Fixed), RunControl(), embedding);
   CHECK(status.message.find("All points are on borders") == 0);
-  const RunControl cancelled([](double, const char*) {}, []() { return true; });
-  const SurfaceMesh large = meshOf(icosphere(4));
-  CHECK(embedSpectrally(large, optionsOf(20), cancelled, embedding).code == StatusCode::Cancelled);
+}
+
+void testCancelled()
+{
+  const SurfaceMesh mesh = meshOf(gridPatch(40, 30));
+  for (const MassMatrix mass : { MassMatrix::Lumped, MassMatrix::Consistent })
+  {
+    for (const BorderCondition border : { BorderCondition::Natural, BorderCondition::Fixed })
+    {
+      checkCancels(
+        "eigenfunctions",
+        [&](const RunControl& control)
+        {
+          SpectralEmbedding embedding;
+          return embedSpectrally(mesh, optionsOf(60, mass, border), control, embedding);
+        },
+        24);
+    }
+  }
 }
 
 void testThreads()
@@ -212,6 +229,7 @@ int TestEigenfunctions(int, char*[])
   testParts();
   testScalings();
   testErrors();
+  testCancelled();
   testThreads();
   return result();
 }

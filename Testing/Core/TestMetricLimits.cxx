@@ -6,9 +6,9 @@
 #include "Metric/MetricRefinement.h"
 #include "Metric/MetricSurface.h"
 #include "Metric/StraightEdges.h"
+#include "TestCancels.h"
 #include "TestSupport.h"
 
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -234,7 +234,6 @@ void testSameBytes()
   CHECK(*std::max_element(surfaces[0].limits.begin(), surfaces[0].limits.end()) > 1.2F);
 }
 
-/** Told to stop when it asks for the k-th time, it says so, and reads nothing that is not whole. */
 void testCancelled()
 {
   const SurfaceMesh mesh = sector(8, 12);
@@ -242,21 +241,12 @@ void testCancelled()
   MetricOptions options;
   options.sites = 300;
   options.iterations = 2;
-  std::atomic<int> asked(0);
-  const auto run = [&](int most)
-  {
-    asked = 0;
-    const RunControl control(nullptr, [&]() { return ++asked >= most; });
-    MetricSurface surface;
-    return embedMetric(mesh, nullptr, metric, options, control, surface).code;
-  };
-  CHECK(run(std::numeric_limits<int>::max()) == StatusCode::Ok);
-  const int all = asked;
-  CHECK(all > 50);
-  for (int most = 1; most < all; most += 1 + most / 10)
-  {
-    CHECK(run(most) == StatusCode::Cancelled);
-  }
+  checkCancels("metric",
+    [&](const RunControl& control)
+    {
+      MetricSurface surface;
+      return embedMetric(mesh, nullptr, metric, options, control, surface);
+    });
 }
 }
 

@@ -1,6 +1,7 @@
 // Triangles and options to a mesh, without VTK: for a number, for a distance, from given sites, and
 // with normals that are smoothed after all.
 
+#include "TestCancels.h"
 #include "TestRequests.h"
 
 #include "Mesh/Extent.h"
@@ -137,8 +138,37 @@ void testErrors()
   request.preparation.source.read = [](TriangleSoup&, std::string&)
   { return Status::invalid("It cannot be read."); };
   CHECK_EQUAL(makeMesh(request, RunControl(), outcome).message, std::string("It cannot be read."));
-  const RunControl cancelled(nullptr, []() { return true; });
-  CHECK(makeMesh(test::requestOf(soup, 100), cancelled, outcome).code == StatusCode::Cancelled);
+}
+
+/** A run with creases and too few points, one to a tolerance, and one with a metric. */
+void testCancelled()
+{
+  const auto runs = [](const RunRequest& request)
+  {
+    return [&request](const RunControl& control)
+    {
+      RunOutcome outcome;
+      return makeMesh(request, control, outcome);
+    };
+  };
+  const TriangleSoup cube = test::cube();
+  RunRequest creases = test::requestOf(cube, 60);
+  creases.preparation.preserveFeatures = true;
+  creases.options.exactNumber = true;
+  test::checkCancels("creases", runs(creases), 60);
+
+  const TriangleSoup torus = test::torus(1.0, 0.15, 60, 20);
+  test::checkCancels("few points", runs(test::requestOf(torus, 40)), 60);
+
+  const TriangleSoup sphere = test::icosphere(3);
+  RunRequest tolerance = test::requestOf(sphere, 0);
+  tolerance.tolerance.tolerance = 0.01;
+  test::checkCancels("tolerance", runs(tolerance), 40);
+
+  const std::vector<double> sizes(sphere.points.size(), 0.2);
+  RunRequest metric = test::requestOf(sphere, 200);
+  metric.preparation.metric = test::arrayOf(sizes, 1);
+  test::checkCancels("metric", runs(metric), 40);
 }
 }
 
@@ -150,5 +180,6 @@ int TestPipeline(int, char*[])
   testSites();
   testSmoothedAfterAll();
   testErrors();
+  testCancelled();
   return test::result();
 }

@@ -5,6 +5,7 @@
 #include "Metric/SolutionMetric.h"
 #include "Metric/TensorAlgebra.h"
 #include "Support/Random.h"
+#include "TestCancels.h"
 #include "TestSupport.h"
 
 #include <cmath>
@@ -363,9 +364,12 @@ void testThreads()
     CHECK(metric.points == expected.points);
     CHECK(metric.tensors == expected.tensors);
   }
-  SolutionMetric none;
-  const RunControl cancelled([](double, const char*) {}, []() { return true; });
-  CHECK(makeSolutionMetric(mesh, input, options, cancelled, none).code == StatusCode::Cancelled);
+  checkCancels("solution metric",
+    [&](const RunControl& control)
+    {
+      SolutionMetric none;
+      return makeSolutionMetric(mesh, input, options, control, none);
+    });
 }
 }
 

@@ -99,6 +99,10 @@ public:
 
   bool run(int dimension, std::uint64_t seed, Rows& places)
   {
+    if (!m_sums.complete())
+    {
+      return false;
+    }
     this->draw(dimension + spare, seed);
     for (int k = 0; k < iterations && this->orthonormalize(); ++k)
     {
@@ -153,6 +157,10 @@ private:
         const Eigen::MatrixXd& mean = means[m_sums.of(p)];
         m_functions.row(p) -= mean.leftCols(columns) / mean(0, columns);
       });
+    if (!this->complete())
+    {
+      return false;
+    }
     auto grams = m_sums.sum(columns, columns,
       [&](Index p, Eigen::MatrixXd& sum)
       { sum += masses[p] * m_functions.row(p).transpose() * m_functions.row(p); });
@@ -169,7 +177,7 @@ private:
       gram = solver.eigenvectors() * inverse.asDiagonal();
     }
     this->multiply(grams);
-    return m_complete && m_sums.complete() && !m_control.cancelled();
+    return this->complete() && !m_control.cancelled();
   }
 
   /** The combinations with the least energy, scaled. */
@@ -187,14 +195,21 @@ private:
       { sum += m_functions.row(p).transpose() * images.row(p); });
     const auto areas = m_sums.sum(
       1, 1, [&](Index p, Eigen::MatrixXd& sum) { sum(0, 0) += m_laplacian.masses()[p]; });
+    if (!this->complete())
+    {
+      return false;
+    }
     for (Index c = 0; c < m_sums.count(); ++c)
     {
       energies[c] = this->combination(energies[c], areas[c](0, 0), dimension);
     }
     this->multiply(energies);
     places.swap(m_functions);
-    return m_complete && m_sums.complete();
+    return this->complete();
   }
+
+  /** Whether nothing was left out: else what was computed is not to be read. */
+  bool complete() const { return m_complete && m_sums.complete(); }
 
   /**
    * Eigenvectors of small eigenvalues, each over the eigenvalue's root, so that all have the energy

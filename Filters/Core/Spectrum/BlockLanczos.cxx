@@ -203,7 +203,7 @@ public:
       }
       added = this->append(next, from);
     }
-    return m_algebra.done() && this->extract(begin, band);
+    return m_algebra.done() && (m_size == 0 || this->extract(begin, band));
   }
 
 private:
@@ -231,17 +231,25 @@ private:
     for (int pass = 0; pass < 2; ++pass)
     {
       const Eigen::MatrixXd gram = m_algebra.product(next, m_algebra.weighted(next));
+      if (!m_algebra.done()) // what was not computed is anything
+      {
+        return 0;
+      }
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
       constexpr double dependent = 1e-26; // squared: what rounding leaves
       constexpr double doubtful = 1e-8;   // squared: where rounding counts, another pass
       scale = std::max(scale, gram.diagonal().maxCoeff());
       const double least = pass == 0 ? dependent * scale : 0.5;
       const auto kept = (solver.eigenvalues().array() > least).count();
+      if (kept == 0)
+      {
+        return 0;
+      }
       const Eigen::MatrixXd vectors = solver.eigenvectors().rightCols(kept);
       const Eigen::VectorXd roots = solver.eigenvalues().tail(kept).cwiseSqrt();
       next = m_algebra.combined(next, vectors * roots.cwiseInverse().asDiagonal());
       toNext = (roots.asDiagonal() * vectors.transpose() * toNext).eval();
-      if (isImage && pass == 0 && kept > 0 && roots[0] * roots[0] < doubtful * scale)
+      if (isImage && pass == 0 && roots[0] * roots[0] < doubtful * scale)
       {
         const auto basis = m_basis.leftCols(m_size);
         m_algebra.subtract(basis, m_algebra.product(basis, m_algebra.weighted(next)), next);
