@@ -3,7 +3,9 @@
 #include "Adaptors/ParameterCheck.h"
 #include "Adaptors/SolutionMetricInput.h"
 
+#include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 
 #include <string>
 #include <vector>
@@ -94,6 +96,12 @@ bool vtkSolutionMetric::HasDistanceArray() const
   return !name.empty() && name != "None";
 }
 
+bool vtkSolutionMetric::IsAnythingChosen() const
+{
+  return !this->Names->Solutions.empty() || !this->Names->Hessians.empty() ||
+    !this->Names->Metrics.empty() || this->HasDistanceArray() || this->ChordTolerance > 0.0;
+}
+
 remesh::Status vtkSolutionMetric::CheckParameters()
 {
   remesh::ParameterCheck check;
@@ -124,14 +132,19 @@ remesh::Status vtkSolutionMetric::CheckParameters()
 
 remesh::Status vtkSolutionMetric::AddField(remesh::FieldSurface& surface)
 {
-  if (this->Names->Solutions.empty() && this->Names->Hessians.empty() &&
-    this->Names->Metrics.empty() && !this->HasDistanceArray() && !(this->ChordTolerance > 0.0))
-  {
-    return remesh::Status::invalid("There is nothing to make a metric from: choose a solution, a "
-                                   "Hessian, a metric, a distance, or a ChordTolerance above 0.");
-  }
   remesh::SolutionMetricArrays arrays;
   arrays.solutions = this->Names->Solutions;
+  if (!this->IsAnythingChosen())
+  {
+    vtkDataArray* active = surface.input->GetPointData()->GetScalars();
+    if (!active || !active->GetName())
+    {
+      return remesh::Status::invalid(
+        "There is nothing to make a metric from: choose a solution, a Hessian, a metric, a "
+        "distance, or a ChordTolerance above 0, or give points active scalars.");
+    }
+    arrays.solutions.emplace_back(active->GetName());
+  }
   arrays.hessians = this->Names->Hessians;
   arrays.metrics = this->Names->Metrics;
   arrays.order = static_cast<remesh::TensorOrder>(this->MetricOrder);

@@ -71,7 +71,8 @@ public:
   ///@{
   /**
    * Point arrays whose interpolation error is to be small, of any number of components. One that
-   * the input lacks, or that is not finite, is an error when the filter runs. Default: none.
+   * the input lacks, or that is not finite, is an error when the filter runs. Default: none; where
+   * nothing else is chosen to make a metric from either, the active point scalars.
    */
   void AddSolutionArray(const char* name);
   void ClearSolutionArrays();
@@ -193,6 +194,7 @@ private:
   void operator=(const vtkSolutionMetric&) = delete;
 
   bool HasDistanceArray() const;
+  bool IsAnythingChosen() const;
 
   struct vtkNames;
   std::unique_ptr<vtkNames> Names;

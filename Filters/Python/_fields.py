@@ -53,7 +53,7 @@ def metric_from_solution(
         As for `remesh`.
     arrays : str, (n,) or (n, k) numbers, or a list of these
         Point arrays whose interpolation error is to be small; each counts as much, whatever its
-        unit.
+        unit. Where nothing else is given either, the surface's active point scalars.
     points : int, from 1
         Points that the whole metric asks for, default 10000.
     norm : "l1", "l2", "l4" or "maximum"

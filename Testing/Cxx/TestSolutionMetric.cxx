@@ -162,6 +162,32 @@ void testPoints()
   CHECK_NEAR(metric->GetComponent(162, 3), 0.0, 0.0);
 }
 
+/** Where nothing is chosen, the active scalars are the solution; where something is, they are not.
+ */
+void testActiveScalars()
+{
+  const auto input = polyDataOf(gridPatch(12, 12));
+  addPointArray<vtkDoubleArray>(
+    input, "U", 1, [](const Point3& p, int) { return p[0] * p[0] + 2.0 * p[1] * p[1]; });
+  addPointArray<vtkDoubleArray>(input, "V", 1, [](const Point3& p, int) { return p[0] * p[1]; });
+  const auto run = [&](const char* active, const char* chosen)
+  {
+    input->GetPointData()->SetActiveScalars(active);
+    const auto filter = metricFilter(input, 100);
+    if (chosen)
+    {
+      filter->AddSolutionArray(chosen);
+    }
+    return contentsOf(filter);
+  };
+  checkSame(run("V", nullptr), run("V", "V"), "nothing is chosen");
+  checkSame(run("V", "U"), run("U", nullptr), "a solution is chosen");
+  vtkSmartPointer<vtkSolutionMetric> chord = metricFilter(input, 100);
+  chord->SetChordTolerance(0.01);
+  chord->SetMaximumSize(0.5);
+  CHECK_NEAR(metricOf(chord)->GetComponent(0, 0), 4.0, 1e-9); // a plane: the scalars do not count
+}
+
 void checkError(vtkSolutionMetric* filter, const std::string& part, int line)
 {
   Messages messages(filter);
@@ -290,6 +316,7 @@ int TestSolutionMetric(int, char*[])
   testOrders();
   testSizes();
   testPoints();
+  testActiveScalars();
   testErrors();
   testWarnings();
   testLists();
