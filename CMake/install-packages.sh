@@ -6,7 +6,7 @@
 set -e
 common="cmake ninja-build g++ libeigen3-dev libnanoflann-dev libtbb-dev libcli11-dev
   nlohmann-json3-dev python3 python3-numpy xvfb xauth dpkg-dev file doxygen"
-vtk="libvtk9-dev python3-vtk9"
+vtk="libvtk9-dev python3-vtk9 python3-mypy"
 paraview="paraview paraview-dev python3-mpi4py mpi-default-dev libdouble-conversion-dev
   libx11-dev libfreetype-dev libtiff-dev liblz4-dev libgl-dev libglew-dev openbox"
 

@@ -336,7 +336,7 @@ class Metric(_Result):
     @property
     def wanted_points(self) -> int:
         """How many points a mesh has whose edges have the length 1 in the metric."""
-        return round(self._plain().GetFieldData().GetArray("MetricPoints").GetValue(0))
+        return int(round(self._plain().GetFieldData().GetArray("MetricPoints").GetValue(0)))
 
     def _facts(self) -> Dict[str, str]:
         return {"points": str(self._plain().GetNumberOfPoints()), "asks for": str(self.wanted_points)}
