@@ -231,6 +231,21 @@ def write_mesh(file):
                           % (a + here, a + there, b + there, a + here, b + there, b + here))
 
 
+def write_field(mesh, file):
+    """The mesh with heights as its active scalars."""
+    from vtkmodules.vtkFiltersCore import vtkElevationFilter
+    from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+    from vtkmodules.vtkIOPLY import vtkPLYReader
+    reader = vtkPLYReader()
+    reader.SetFileName(mesh)
+    heights = vtkElevationFilter()
+    heights.SetInputConnection(reader.GetOutputPort())
+    writer = vtkPolyDataWriter()
+    writer.SetInputConnection(heights.GetOutputPort())
+    writer.SetFileName(file)
+    writer.Write()
+
+
 def squares_of(file):
     """A picture's mean colours (0 to 255) in squares of 10 by 10."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -439,9 +454,43 @@ def judge_others(judge):
         judge.equal("embedding, points", source["points"], [1800])
 
 
+def play_fields(steps):
+    """A metric for the active scalars, its embedding, the mesh in it; and eigenfunctions."""
+    steps.open("field.vtk")
+    steps.filter("SolutionMetric")
+    steps.type(PANEL + "/NumberOfPoints/LineEdit0", "600")
+    steps.apply()
+    steps.filter("MetricEmbedding")
+    choice = PANEL + "/MetricArray/ComboBox"
+    steps.event(choice, "activated", "Metric")
+    steps.check(choice, "currentText", "Metric")
+    steps.type(PANEL + "/NumberOfPoints/LineEdit0", "600")
+    steps.apply()
+    steps.filter("SpectralEmbedding")
+    steps.type(PANEL + "/Dimension/LineEdit0", "8")
+    steps.apply()
+    steps.state("fields")
+
+
+def judge_fields(judge):
+    state = judge.read("fields")
+    if not state:
+        return
+    for name, array, components in (("SolutionMetric1", "Metric", 6),
+                                    ("MetricEmbedding1", "Embedding", 6),
+                                    ("SpectralEmbedding1", "Embedding", 8)):
+        source = state["sources"][name]
+        judge.equal("fields, %s of %s" % (array, name), source["arrays"].get(array), components)
+        # The metric's embedding splits triangles where the metric asks for that.
+        judge.within("fields, cells of " + name, source["cells"][0], 3600,
+                     3600 if array == "Metric" else 36000)
+    judge.visible("fields", state, [("SpectralEmbedding1", 0), ("mesh.ply", 0)])
+
+
 SCENARIOS = {"Remesher": (play_remesher, judge_remesher),
              "Animation": (play_animation, judge_animation),
-             "Others": (play_others, judge_others)}
+             "Others": (play_others, judge_others),
+             "Fields": (play_fields, judge_fields)}
 
 
 def main(paraview, version, plugin, folder, scenario):
@@ -449,6 +498,7 @@ def main(paraview, version, plugin, folder, scenario):
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     write_mesh(os.path.join(folder, "mesh.ply"))
+    write_field(os.path.join(folder, "mesh.ply"), os.path.join(folder, "field.vtk"))
     press, judge = SCENARIOS[scenario]
     steps = Playback(folder, version)
     steps.load_plugin(plugin)

@@ -21,13 +21,20 @@ def digest(source, port):
     return text.hexdigest()
 
 
+def arrays_of(information):
+    """Components of the point arrays, by name."""
+    arrays = information.GetPointDataInformation()
+    listed = [arrays.GetArrayInformation(k) for k in range(arrays.GetNumberOfArrays())]
+    return {array.GetName(): array.GetNumberOfComponents() for array in listed}
+
+
 def source_state(source, with_digest):
     """Numbers of points and cells by port, and the properties that the test sets."""
     ports = range(source.SMProxy.GetNumberOfOutputPorts())
     information = [source.GetDataInformation(port).DataInformation for port in ports]
     state = {"points": [item.GetNumberOfPoints() for item in information],
              "cells": [item.GetNumberOfCells() for item in information],
-             "type": source.GetXMLName()}
+             "type": source.GetXMLName(), "arrays": arrays_of(information[0])}
     for property in ("NumberOfPoints", "Anisotropy", "NumberOfSamples"):
         if source.GetProperty(property) is not None:
             state[property] = value_of(source, property)

@@ -49,9 +49,12 @@ public:
     return candidate.verdict().intrusions > 0;
   }
 
+  /** Unless there are too few points for the surface beside them. */
   bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& control) override
   {
-    return candidate.refineCurves(candidate.result().seams.intrusions, control);
+    const std::vector<Intrusion>& intrusions = candidate.result().seams.intrusions;
+    return candidate.hasRoomOnCurves(countSections(intrusions)) &&
+      candidate.refineCurves(intrusions, control);
   }
 };
 
