@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -15,7 +16,21 @@ namespace remesh
 {
 namespace
 {
-constexpr int tag = 20121; ///< of all packets
+constexpr int tag = 20121;             ///< of all packets
+constexpr vtkIdType longest = 1 << 20; ///< of the pieces of a packet, in bytes
+
+bool tryToReserve(std::vector<char>& bytes, vtkIdType size)
+{
+  try
+  {
+    bytes.reserve(static_cast<std::size_t>(size));
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
+  }
+}
 }
 
 void awaitMessage(vtkMultiProcessController* controller, int from, int tag)
@@ -53,8 +68,13 @@ int ProcessRanks::own() const
 void ProcessRanks::send(int rank, const Packet& packet)
 {
   const auto size = static_cast<vtkIdType>(packet.bytes().size());
-  if (!this->Controller->Send(&size, 1, rank, tag) ||
-    !this->Controller->Send(packet.bytes().data(), size, rank, tag))
+  bool arrives = this->Controller->Send(&size, 1, rank, tag) != 0;
+  for (vtkIdType begin = 0; begin < size && arrives; begin += longest)
+  {
+    const vtkIdType length = std::min(longest, size - begin);
+    arrives = this->Controller->Send(packet.bytes().data() + begin, length, rank, tag) != 0;
+  }
+  if (!arrives)
   {
     throw std::runtime_error("Process " + std::to_string(rank) + " cannot be reached.");
   }
@@ -67,12 +87,20 @@ Packet ProcessRanks::receive(int rank)
   {
     awaitMessage(this->Controller, rank, tag);
   }
-  std::vector<char> bytes;
   bool arrived = this->Controller->Receive(&size, 1, rank, tag) != 0;
-  if (arrived)
+  std::vector<char> piece(static_cast<std::size_t>(std::min(longest, size)));
+  std::vector<char> bytes;
+  const bool fits = tryToReserve(bytes, arrived ? size : 0);
+  for (vtkIdType begin = 0; begin < size && arrived; begin += longest)
   {
-    bytes.resize(static_cast<std::size_t>(size));
-    arrived = this->Controller->Receive(bytes.data(), size, rank, tag) != 0;
+    const vtkIdType length = std::min(longest, size - begin);
+    arrived = this->Controller->Receive(piece.data(), length, rank, tag) != 0;
+    // What there is no room for has to be taken off the way, too.
+    bytes.insert(bytes.end(), piece.begin(), fits ? piece.begin() + length : piece.begin());
+  }
+  if (!fits)
+  {
+    throw std::bad_alloc();
   }
   if (!arrived)
   {

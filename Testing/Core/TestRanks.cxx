@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <new>
 #include <queue>
 #include <thread>
 
@@ -203,13 +204,10 @@ void testFailure(const EmbeddedSurface& surface)
       {
         return;
       }
-      if (order == RankOrder::Integrate)
-      {
-        Packet answer;
-        answer.add(StatusCode::OutOfMemory);
-        answer.add(std::string("There is not enough memory for this run."));
-        ranks.send(Ranks::first, answer);
-      }
+      Packet answer;
+      answer.add(order == RankOrder::Integrate ? StatusCode::OutOfMemory : StatusCode::Ok);
+      answer.add(std::string("There is not enough memory for this run."));
+      ranks.send(Ranks::first, answer);
     }
   };
   Post post(3);
@@ -236,6 +234,53 @@ void testFailure(const EmbeddedSurface& surface)
       answer.take(code);
       CHECK(code == StatusCode::InvalidInput);
     });
+}
+
+/** Ranks that have no room for what comes with an order: the `failing`-th, from 0. */
+class NarrowRanks : public ThreadRanks
+{
+public:
+  NarrowRanks(Post& post, int own, int failing)
+    : ThreadRanks(post, own)
+    , m_failing(failing)
+  {
+  }
+  Packet receive(int rank) override
+  {
+    Packet packet = ThreadRanks::receive(rank);
+    if (m_failing-- == 0)
+    {
+      throw std::bad_alloc();
+    }
+    return packet;
+  }
+
+private:
+  int m_failing;
+};
+
+/** Without memory for a part, or for sites, the first is told, and no one waits. */
+void testNoRoom(const EmbeddedSurface& surface)
+{
+  const Sites start = sampled(surface, 100, 3);
+  for (const int failing : { 0, 1, 3 })
+  {
+    Post post(3);
+    runOnRanks(
+      post,
+      [&](Ranks& ranks)
+      {
+        const Status status = optimize(surface, start, &ranks).status;
+        CHECK(status.code == StatusCode::OutOfMemory);
+        CHECK(status.message == "Process 2: There is not enough memory for this run.");
+      },
+      [&](Ranks& ranks)
+      {
+        NarrowRanks narrow(post, ranks.own(), ranks.own() == 2 ? failing : -1);
+        workForFirst(narrow);
+      });
+    CHECK(post.isEmpty());
+  }
 }
 
 /** A cancelled run leaves nothing on the way. */
@@ -265,6 +310,7 @@ int TestRanks(int, char*[])
   testSameBits(embedded(meshOf(gridPatch(1, 1)), 3), 4); // fewer facets than ranks
   testBytes(surface);
   testFailure(surface);
+  testNoRoom(surface);
   testCancelled(surface);
   return result();
 }

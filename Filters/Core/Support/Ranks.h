@@ -102,7 +102,7 @@ public:
 
   /** What is sent to a rank comes in the order in which it was sent. Throws runtime_error. */
   virtual void send(int rank, const Packet& packet) = 0;
-  /** Waits for it. Throws runtime_error. */
+  /** Waits for it. Throws runtime_error; bad_alloc where there is no room for it, which is lost. */
   virtual Packet receive(int rank) = 0;
 };
 }

@@ -87,39 +87,39 @@ void workForFirst(Ranks& ranks)
 {
   std::unique_ptr<PartIntegration> part;
   std::vector<BlockSums> blocks;
-  Status taken = Status::invalid("There is no surface.");
   for (;;)
   {
-    Packet packet = ranks.receive(Ranks::first);
-    RankOrder order = RankOrder::Leave;
-    packet.take(order);
-    switch (order)
+    bool leaves = false;
+    Packet sums;
+    const auto follow = [&]
     {
-      case RankOrder::Leave:
-        return;
-      case RankOrder::TakeSurface:
-        part.reset(); // before there is another
-        taken = tryTo(
-          [&]
-          {
-            part = std::make_unique<PartIntegration>(packet);
-            return Status::success();
-          });
-        break;
-      case RankOrder::Integrate:
+      Packet packet = ranks.receive(Ranks::first);
+      RankOrder order = RankOrder::Leave;
+      packet.take(order);
+      leaves = order == RankOrder::Leave;
+      if (order == RankOrder::TakeSurface)
       {
-        Packet sums;
-        const auto integrate = [&]
-        {
-          Status status = part->integrate(packet, blocks);
-          sums = status.ok() ? answer(blocks) : sums;
-          return status;
-        };
-        const Status status = taken.ok() ? tryTo(integrate) : taken;
-        ranks.send(Ranks::first, status.ok() ? sums : answer(status));
-        break;
+        part.reset(); // before there is another
+        part = std::make_unique<PartIntegration>(packet);
       }
+      if (order != RankOrder::Integrate)
+      {
+        return Status::success();
+      }
+      if (!part)
+      {
+        return Status::invalid("There is no surface.");
+      }
+      Status status = part->integrate(packet, blocks);
+      sums = status.ok() ? answer(blocks) : sums;
+      return status;
+    };
+    const Status status = tryTo(follow);
+    if (leaves)
+    {
+      return;
     }
+    ranks.send(Ranks::first, sums.bytes().empty() ? answer(status) : sums);
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace remesh
 {
-/** What a packet from the first rank begins with. */
+/** What a packet from the first rank begins with. All but the first kind are answered. */
 enum class RankOrder : int
 {
   Leave,       ///< there is nothing more to do

@@ -27,7 +27,7 @@ Blocks facetBlocks(const EmbeddedSurface& surface)
 
 SharedIntegration::SharedIntegration(Ranks& ranks, const EmbeddedSurface& surface)
   : m_ranks(ranks)
-  , m_next(ranks.count())
+  , m_next(1)
 {
   const Blocks blocks = facetBlocks(surface);
   m_blocks = blocks.count();
@@ -66,6 +66,16 @@ Offset SharedIntegration::ownBlocks() const
 
 void SharedIntegration::begin(const Sites& sites)
 {
+  while (m_next < m_ranks.count()) // answers to their parts
+  {
+    Status status;
+    this->takeNext(status);
+    m_taken = m_taken.ok() ? status : m_taken;
+  }
+  if (!m_taken.ok())
+  {
+    return;
+  }
   Packet packet;
   packet.add(RankOrder::Integrate);
   packet.add(sites.dimension);
@@ -80,7 +90,7 @@ void SharedIntegration::begin(const Sites& sites)
 
 Status SharedIntegration::end(int dimension, const RunControl& control, CellSums* sums)
 {
-  Status status = Status::success();
+  Status status = m_taken;
   while (m_next < m_ranks.count())
   {
     Status next = this->addNext(dimension, control, sums);
@@ -89,16 +99,26 @@ Status SharedIntegration::end(int dimension, const RunControl& control, CellSums
   return status;
 }
 
-Status SharedIntegration::addNext(int dimension, const RunControl& control, CellSums* sums)
+Packet SharedIntegration::takeNext(Status& status)
 {
   const int rank = m_next++;
   Packet packet = m_ranks.receive(rank);
-  Status status;
   packet.take(status.code);
   packet.take(status.message);
   if (!status.ok())
   {
-    return { status.code, "Process " + std::to_string(rank) + ": " + status.message };
+    status.message = "Process " + std::to_string(rank) + ": " + status.message;
+  }
+  return packet;
+}
+
+Status SharedIntegration::addNext(int dimension, const RunControl& control, CellSums* sums)
+{
+  Status status;
+  Packet packet = this->takeNext(status);
+  if (!status.ok())
+  {
+    return status;
   }
   std::size_t count = 0;
   packet.take(count);

@@ -42,7 +42,7 @@ public:
   /** The first so many blocks are this rank's. */
   Offset ownBlocks() const;
 
-  /** The others begin. */
+  /** The others begin, unless one of them could not take its part: `end` tells. */
   void begin(const Sites& sites);
 
   /**
@@ -54,11 +54,14 @@ public:
   Status end(int dimension, const RunControl& control, CellSums* sums);
 
 private:
+  /** The next answer, which begins with a status. */
+  Packet takeNext(Status& status);
   Status addNext(int dimension, const RunControl& control, CellSums* sums);
 
   Ranks& m_ranks;
   Offset m_blocks;
-  int m_next; ///< the rank that is to send next; the number of ranks: none
+  int m_next;                         ///< the rank that is to answer next; their number: none
+  Status m_taken = Status::success(); ///< whether all have their parts
 };
 }
 
