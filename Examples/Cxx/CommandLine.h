@@ -50,6 +50,13 @@ struct Options
   bool LimitMetric = true;
   bool Unit = false;       // the metric decides the number of points
   double Complexity = 0.0; // area that the metric is scaled to; 0: as it is
+  std::vector<std::string> Solutions; // point arrays that a metric is made for
+  std::string ErrorNorm = "l2";
+  double MinimumSize = 0.0; // of that metric, in the unit of the points; 0: none
+  double MaximumSize = 0.0;
+  int Eigenfunctions = 0; // so many are the embedding; 0: none
+  std::string EigenfunctionScaling = "commute";
+  double DiffusionTime = 0.0;
   std::vector<CoordinateArray> Coordinates;
   std::string InitialSites;
   double MergeTolerance = 0.0; // fraction of the bounding-box diagonal

@@ -1,5 +1,6 @@
 #include "Jobs.h"
 
+#include "ComputedFields.h"
 #include "Failure.h"
 #include "InputBytes.h"
 #include "SurfaceFiles.h"
@@ -74,6 +75,7 @@ std::string ExtensionFor(const Options& options, const std::string& input)
 
 void CheckJob(const Options& job)
 {
+  CheckEmbeddings(job);
   const std::string fault = ExtensionFault(job.Output, writableExtensions);
   if (!job.Output.empty() && !fault.empty())
   {

@@ -268,11 +268,46 @@ void OptionTable::AddEmbedding()
     Real(&Options::MetricGrowth, 1.01, 1000.0));
   this->AddFlag("--no-metric-limit", &Options::LimitMetric, false,
     "Take a metric as it is, also where straight edges cannot follow it.");
+  this->AddComputedFields();
   this->AddCoordinates();
   this->Add("--merge-tolerance", "T",
     "Merge input points closer than this fraction of the bounding-box diagonal, 0 to 0.1. "
     "Default 0: equal points, and ends of sides that are nothing but rounding.",
     Real(&Options::MergeTolerance, 0.0, 0.1));
+}
+
+void OptionTable::AddComputedFields()
+{
+  this->App
+    .add_option_function<std::vector<std::string>>(
+      "--solution",
+      [this](const std::vector<std::string>& names)
+      {
+        auto& solutions = this->Result.Solutions;
+        solutions.insert(solutions.end(), names.begin(), names.end());
+      },
+      "Point array whose interpolation error is to be small: the mesh is made in the metric that "
+      "is best for it and so many points. Can be repeated. Instead of --metric.")
+    ->type_name("ARRAY")
+    ->group(this->Group)
+    ->allow_extra_args(false);
+  this->AddChoice("--error-norm", "L", &Options::ErrorNorm, { "l1", "l2", "l4", "maximum" },
+    "Of the error of --solution: l1, l2 (default), l4 or maximum.");
+  this->Add("--min-size", "H", "The shortest edges that --solution asks for. Default 0: no limit.",
+    Real(&Options::MinimumSize, 0.0, std::numeric_limits<double>::max()));
+  this->Add("--max-size", "H",
+    "The longest edges that --solution asks for. Default 0: the bounding-box diagonal.",
+    Real(&Options::MaximumSize, 0.0, std::numeric_limits<double>::max()));
+  this->Add("--eigenfunctions", "D",
+    "Embed by the first D eigenfunctions of the surface's Laplacian, 2 to 100000, instead of "
+    "position and normal. Default: off.",
+    Whole(&Options::Eigenfunctions, 2, 100000));
+  this->AddChoice("--eigenfunction-scaling", "K", &Options::EigenfunctionScaling,
+    { "none", "commute", "diffusion", "biharmonic" },
+    "How they count: none, commute (default), diffusion or biharmonic.");
+  this->Add("--diffusion-time", "T",
+    "Of the scaling diffusion, in squares of the points' unit. Default 0.",
+    Real(&Options::DiffusionTime, 0.0, std::numeric_limits<double>::max()));
 }
 
 void OptionTable::AddCoordinates()

@@ -41,6 +41,7 @@ private:
   void AddOptimization();
   void AddEmbedding();
   void AddCoordinates();
+  void AddComputedFields();
   void AddComputation();
   void AddFiles();
   void AddOther();

@@ -27,14 +27,6 @@ void CheckArray(vtkPolyData* surface, const std::string& name, bool normals)
   }
 }
 
-int BackendNumber(const std::string& name)
-{
-  return name == "sequential" ? vtkEmbeddedSurfaceAlgorithm::SMP_SEQUENTIAL
-    : name == "stdthread"     ? vtkEmbeddedSurfaceAlgorithm::SMP_STDTHREAD
-    : name == "tbb"           ? vtkEmbeddedSurfaceAlgorithm::SMP_TBB
-                              : vtkEmbeddedSurfaceAlgorithm::SMP_AUTOMATIC;
-}
-
 int PlacementNumber(const std::string& name)
 {
   return name == "centroid" ? vtkAnisotropicRemesher::CENTROID
@@ -45,6 +37,14 @@ int PlacementNumber(const std::string& name)
 
 } // namespace
 
+int BackendNumber(const std::string& name)
+{
+  return name == "sequential" ? vtkEmbeddedSurfaceAlgorithm::SMP_SEQUENTIAL
+    : name == "stdthread"     ? vtkEmbeddedSurfaceAlgorithm::SMP_STDTHREAD
+    : name == "tbb"           ? vtkEmbeddedSurfaceAlgorithm::SMP_TBB
+                              : vtkEmbeddedSurfaceAlgorithm::SMP_AUTOMATIC;
+}
+
 void CheckArrays(vtkPolyData* surface, const Options& options)
 {
   if (options.Normals == "none")
@@ -54,6 +54,10 @@ void CheckArrays(vtkPolyData* surface, const Options& options)
   else if (!options.Normals.empty())
   {
     CheckArray(surface, options.Normals, true);
+  }
+  for (const std::string& solution : options.Solutions)
+  {
+    CheckArray(surface, solution, false);
   }
   if (!options.Metric.empty())
   {

@@ -4,6 +4,8 @@
 #ifndef RemesherSetup_h
 #define RemesherSetup_h
 
+#include <string>
+
 class vtkAnisotropicRemesher;
 class vtkEmbeddedSurfaceAlgorithm;
 class vtkPolyData;
@@ -14,6 +16,9 @@ struct Options;
  * normals if they are not to be used.
  */
 void CheckArrays(vtkPolyData* surface, const Options& options);
+
+/** The filters' number of a back-end. */
+int BackendNumber(const std::string& name);
 
 /** The parameters that the remesher and the embedding have in common. */
 void SetEmbedding(vtkEmbeddedSurfaceAlgorithm* filter, const Options& options);

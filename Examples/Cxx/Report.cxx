@@ -52,7 +52,11 @@ Json ParametersOf(const Options& options)
     { "embedding_array", options.EmbeddingArray }, { "metric", options.Metric },
     { "metric_order", options.MetricOrder }, { "metric_growth", options.MetricGrowth },
     { "limit_metric", options.LimitMetric }, { "unit", options.Unit },
-    { "complexity", options.Complexity }, { "coordinates", coordinates },
+    { "complexity", options.Complexity }, { "solutions", options.Solutions },
+    { "error_norm", options.ErrorNorm }, { "min_size", options.MinimumSize },
+    { "max_size", options.MaximumSize }, { "eigenfunctions", options.Eigenfunctions },
+    { "eigenfunction_scaling", options.EigenfunctionScaling },
+    { "diffusion_time", options.DiffusionTime }, { "coordinates", coordinates },
     { "initial_sites", options.InitialSites }, { "merge_tolerance", options.MergeTolerance } };
 }
 

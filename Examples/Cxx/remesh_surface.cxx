@@ -13,6 +13,7 @@
  */
 #include "Comparison.h"
 #include "Completion.h"
+#include "ComputedFields.h"
 #include "Failure.h"
 #include "Interruption.h"
 #include "Jobs.h"
@@ -33,6 +34,7 @@
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
+#include <vtkSurfaceFieldAlgorithm.h>
 #include <vtkSurfaceMeshComparison.h>
 #include <vtkTable.h>
 #include <vtkVersion.h>
@@ -122,9 +124,8 @@ void ReadInput(Run& run)
   run.Times.Read = watch.GetSeconds();
 }
 
-void Execute(vtkEmbeddedSurfaceAlgorithm* filter, Run& run)
+void Execute(vtkPolyDataAlgorithm* filter, Run& run)
 {
-  SetEmbedding(filter, run.Parameters);
   filter->SetInputData(run.Surface);
   filter->AddObserver(vtkCommand::ProgressEvent, run.Progress);
   vtkNew<MemoryReturn> memoryReturn;
@@ -134,11 +135,28 @@ void Execute(vtkEmbeddedSurfaceAlgorithm* filter, Run& run)
   run.Log->ThrowIfError("cannot remesh '" + run.Parameters.Input + "'");
 }
 
+/** Adds the arrays that are computed from the surface. */
+void AddComputedFields(Run& run)
+{
+  for (const auto& filter :
+    { MetricForSolutions(run.Parameters), EigenfunctionsFor(run.Parameters) })
+  {
+    if (filter)
+    {
+      Execute(filter, run);
+      run.Surface = filter->GetOutput();
+    }
+  }
+}
+
 void Remesh(Run& run)
 {
   const Options& options = run.Parameters;
   vtkAnisotropicRemesher* remesher = run.Remesher;
+  AddComputedFields(run);
+  const Options embedding = WithComputedFields(options);
   SetRemeshing(remesher, options);
+  SetEmbedding(remesher, embedding);
   const std::size_t earlier = run.Log->GetWarnings().size();
   Execute(remesher, run);
   if (remesher->GetOutput()->GetNumberOfPoints() == 0)
@@ -155,6 +173,7 @@ void Remesh(Run& run)
     vtkFieldData* facts = remesher->GetOutput()->GetFieldData();
     vtkDataArray* radius = facts->GetArray("NormalSmoothingRadius");
     run.Embedding->SetNormalSmoothingRadius(radius ? radius->GetComponent(0, 0) : -1.0);
+    SetEmbedding(run.Embedding, embedding);
     Execute(run.Embedding, run);
   }
 }

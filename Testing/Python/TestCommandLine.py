@@ -36,6 +36,11 @@ class TestUsage(CommandLineTest):
             ("--quiet takes no value", files + ["--quiet=yes"]),
             ("--tolerance must be 0 or at least 1e-7", files + ["--tolerance", "1e-9"]),
             ("--cells needs a value that is not empty", files + ["--cells="]),
+            ("all replace position and normal: choose one",
+             files + ["--metric", "Six", "--solution", "Height"]),
+            ("all replace position and normal: choose one",
+             files + ["--eigenfunctions", "9", "--embedding-array", "Six"]),
+            ("--eigenfunctions must be from 2 to 100000", files + ["--eigenfunctions", "1"]),
         ]
         for name in ("--points", "--lloyd", "--seed", "--threads", "--normal-smoothing"):
             for value in ("many", "1.5", "", " 7", "7x", "99999999999999999999"):
@@ -48,7 +53,7 @@ class TestUsage(CommandLineTest):
                             ("--threads", "1025"), ("--normal-smoothing", "-2"),
                             ("--normal-smoothing", "10001"), ("--seed", "2147483648")):
             cases.append((f"{name} must be from", files + [name, value]))
-        for name in ("--backend", "--dimension", "--sampling", "--placement", "--format",
+        for name in ("--backend", "--dimension", "--error-norm", "--sampling", "--placement", "--format",
                      "--completion"):
             cases.append((f"{name} must be one of", files + [name, "other"]))
         for value in ("Height", "=2", "Height=", "Height=x", "Height=inf"):
@@ -98,7 +103,8 @@ class TestUsage(CommandLineTest):
         used = load(self.path("r.json"))["parameters"]
         for name in ("points", "tolerance", "max-points", "anisotropy", "feature-angle",
                      "max-extra-points", "lloyd", "newton", "seed", "sampling", "threads",
-                     "backend", "normal-smoothing", "merge-tolerance", "placement"):
+                     "backend", "normal-smoothing", "merge-tolerance", "placement", "error-norm",
+                     "min-size", "max-size", "eigenfunction-scaling", "diffusion-time"):
             with self.subTest(name=name):
                 value = used[name.replace("-", "_")]
                 expected = f"{value:g}" if isinstance(value, float) else str(value)

@@ -55,7 +55,9 @@ class TestCannot(CommandLineTest):
         self.fail_with(1, "no point array 'Foo'", *files, "--embedding-array", "Foo")
         self.fail_with(1, "no point array 'Foo'", *files, "--coordinates", "Foo=2")
         self.fail_with(1, "6 components, normals have 3", *files, "--normals", "Six")
+        self.fail_with(1, "no point array 'Foo'", *files, "--solution", "Height", "--solution", "Foo")
         self.fail_with(1, "cannot remesh .*", *files, "--embedding-array", "Height")
+        self.fail_with(1, "eigenfunctions beside constants", *files, "--eigenfunctions", "9999")
 
     def test_initial_sites(self):
         files = [self.input(), "out.vtp"]

@@ -9,7 +9,7 @@ import shutil
 
 import numpy
 
-from anisotropic_remeshing import vtkGaussMapEmbedding
+from anisotropic_remeshing import vtkGaussMapEmbedding, vtkSolutionMetric, vtkSpectralEmbedding
 from CommandLineTesting import (FORMATS, SMALL, CommandLineTest, content, load, main, read, sphere,
                                 write)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -174,6 +174,42 @@ class TestResults(CommandLineTest):
         data = read(self.path("x.vtp")).GetPointData()
         self.assertTrue((vtk_to_numpy(data.GetArray("Embedding")) ==
                          vtk_to_numpy(data.GetArray("Six"))).all())
+
+    def check_computed(self, filter_, options, array_options):
+        """The same as with an array that the filter added before; the array comes out."""
+        filter_.SetInputData(read(self.input()))
+        filter_.Update()
+        write(filter_.GetOutput(), self.path("given.vtp"))
+        self.succeed("given.vtp", "given-out.vtp", *SMALL, *array_options)
+        self.succeed(self.input(), "out.vtp", *SMALL, *options, "--embedded-surface", "x.vtp")
+        one, other = (read(self.path(name)) for name in ("out.vtp", "given-out.vtp"))
+        self.assertTrue((vtk_to_numpy(one.GetPoints().GetData()) ==
+                         vtk_to_numpy(other.GetPoints().GetData())).all())
+        return one, read(self.path("x.vtp")).GetPointData().GetArray("Embedding")
+
+    def test_solution(self):
+        metric = vtkSolutionMetric()
+        metric.AddSolutionArray("Height")
+        metric.AddSolutionArray("Six")
+        metric.SetErrorNorm(vtkSolutionMetric.L4)
+        metric.SetNumberOfPoints(60)
+        metric.SetMaximumSize(0.5)
+        mesh, embedding = self.check_computed(
+            metric, ["--solution", "Height", "--solution", "Six", "--error-norm", "l4",
+                     "--max-size", "0.5"], ["--metric", "Metric"])
+        self.assertEqual(mesh.GetPointData().GetArray("Metric").GetNumberOfComponents(), 6)
+        self.assertEqual(embedding.GetNumberOfComponents(), 6)
+
+    def test_eigenfunctions(self):
+        spectrum = vtkSpectralEmbedding()
+        spectrum.SetDimension(9)
+        spectrum.SetScaling(vtkSpectralEmbedding.DIFFUSION)
+        spectrum.SetDiffusionTime(0.01)
+        _, embedding = self.check_computed(
+            spectrum, ["--eigenfunctions", "9", "--eigenfunction-scaling", "diffusion",
+                       "--diffusion-time", "0.01"], ["--embedding-array", "Embedding"])
+        self.assertTrue((vtk_to_numpy(embedding) == vtk_to_numpy(
+            spectrum.GetOutput().GetPointData().GetArray("Embedding"))).all())
 
     def test_given_and_estimated_normals(self):
         surface = sphere()

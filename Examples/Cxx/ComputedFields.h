@@ -1,0 +1,25 @@
+/**
+ * Arrays that are computed from the surface before it is remeshed: a metric for solutions, and
+ * eigenfunctions.
+ */
+#ifndef ComputedFields_h
+#define ComputedFields_h
+
+#include <vtkSmartPointer.h>
+
+class vtkSurfaceFieldAlgorithm;
+struct Options;
+
+/** A filter that adds the point array Metric for the options' solutions; null: there are none. */
+vtkSmartPointer<vtkSurfaceFieldAlgorithm> MetricForSolutions(const Options& options);
+
+/** A filter that adds the point array Embedding of eigenfunctions; null: they are not wanted. */
+vtkSmartPointer<vtkSurfaceFieldAlgorithm> EigenfunctionsFor(const Options& options);
+
+/** Throws Failure with EXIT_USAGE where more than one embedding is asked for. */
+void CheckEmbeddings(const Options& options);
+
+/** The options that take the computed arrays for metric and embedding. */
+Options WithComputedFields(const Options& options);
+
+#endif
