@@ -55,7 +55,7 @@ struct Options
   double MinimumSize = 0.0; // of that metric, in the unit of the points; 0: none
   double MaximumSize = 0.0;
   int Eigenfunctions = 0; // so many are the embedding; 0: none
-  std::string EigenfunctionScaling = "commute";
+  std::string EigenfunctionScaling = "commute_time";
   double DiffusionTime = 0.0;
   std::vector<CoordinateArray> Coordinates;
   std::string InitialSites;

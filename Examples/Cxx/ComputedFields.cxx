@@ -54,7 +54,7 @@ vtkSmartPointer<vtkSurfaceFieldAlgorithm> EigenfunctionsFor(const Options& optio
   SetExecution(filter, options);
   filter->SetDimension(options.Eigenfunctions);
   filter->SetScaling(
-    NumberOf(options.EigenfunctionScaling, { "none", "commute", "diffusion", "biharmonic" }));
+    NumberOf(options.EigenfunctionScaling, { "none", "commute_time", "diffusion", "biharmonic" }));
   filter->SetDiffusionTime(options.DiffusionTime);
   return filter;
 }

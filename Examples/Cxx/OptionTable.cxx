@@ -303,8 +303,8 @@ void OptionTable::AddComputedFields()
     "position and normal. Default: off.",
     Whole(&Options::Eigenfunctions, 2, 100000));
   this->AddChoice("--eigenfunction-scaling", "K", &Options::EigenfunctionScaling,
-    { "none", "commute", "diffusion", "biharmonic" },
-    "How they count: none, commute (default), diffusion or biharmonic.");
+    { "none", "commute_time", "diffusion", "biharmonic" },
+    "How they count: none, commute_time (default), diffusion or biharmonic.");
   this->Add("--diffusion-time", "T",
     "Of the scaling diffusion, in squares of the points' unit. Default 0.",
     Real(&Options::DiffusionTime, 0.0, std::numeric_limits<double>::max()));

@@ -5,7 +5,7 @@ from typing import Any, List
 
 from ._progress import Progress
 from ._results import Metric, MetricEmbedded, Spectrum
-from ._run import Input, flat_tensors, outputs_of, set_properties, update
+from ._run import Input, flat_tensors, run_alone, set_properties
 from .vtkFiltersAnisotropicRemeshing import (
     vtkMetricEmbedding,
     vtkSolutionMetric,
@@ -118,10 +118,7 @@ def metric_from_solution(
             "distribute_outputs": distribute_outputs,
         },
     )
-    made.SetInputDataObject(0, taken.data)
-    warnings, seconds = update(made, progress, "metric_from_solution")
-    report = {"warnings": warnings, "seconds": {"total": seconds}}
-    return Metric(outputs_of(made), taken.like, report)
+    return Metric(*run_alone(made, taken, progress, "metric_from_solution"))
 
 
 def metric_embedding(
@@ -200,10 +197,7 @@ def metric_embedding(
         taken.array("metric", flat_tensors(arguments.pop("metric")), "Given metric")
     )
     set_properties(embedded, arguments)
-    embedded.SetInputDataObject(0, taken.data)
-    warnings, seconds = update(embedded, progress, "metric_embedding")
-    report = {"warnings": warnings, "seconds": {"total": seconds}}
-    return MetricEmbedded(outputs_of(embedded), taken.like, report)
+    return MetricEmbedded(*run_alone(embedded, taken, progress, "metric_embedding"))
 
 
 def spectral_embedding(
@@ -260,7 +254,4 @@ def spectral_embedding(
     embedded = vtkSpectralEmbedding()
     del arguments["progress"]
     set_properties(embedded, arguments)
-    embedded.SetInputDataObject(0, taken.data)
-    warnings, seconds = update(embedded, progress, "spectral_embedding")
-    report = {"warnings": warnings, "seconds": {"total": seconds}}
-    return Spectrum(outputs_of(embedded), taken.like, report)
+    return Spectrum(*run_alone(embedded, taken, progress, "spectral_embedding"))

@@ -6,7 +6,7 @@ from typing import Any, Dict, Optional, Union
 from . import _surfaces
 from ._progress import Progress
 from ._results import Compared, Diagram, Embedded, Remeshed, facts_of, row_of, snake_case
-from ._run import Input, choose_arrays, outputs_of, set_properties, update
+from ._run import Input, choose_arrays, outputs_of, run_alone, set_properties, update
 from .vtkFiltersAnisotropicRemeshing import (
     vtkAnisotropicRemesher,
     vtkGaussMapEmbedding,
@@ -433,7 +433,4 @@ def embed(
     choose_arrays(mapped, taken, {name: arguments.pop(name) for name in arrays})
     del arguments["progress"]
     set_properties(mapped, arguments)
-    mapped.SetInputDataObject(0, taken.data)
-    warnings, seconds = update(mapped, progress, "embed")
-    report = {"warnings": warnings, "seconds": {"total": seconds}}
-    return Embedded(outputs_of(mapped), taken.like, report)
+    return Embedded(*run_alone(mapped, taken, progress, "embed"))

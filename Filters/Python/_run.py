@@ -188,3 +188,15 @@ def outputs_of(algorithm: Any) -> List[Any]:
     return [
         algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())
     ]
+
+
+def run_alone(
+    algorithm: Any, taken: Input, progress: Progress, what: str
+) -> Tuple[List[Any], Any, Dict[str, Any]]:
+    """
+    Runs a filter of one input on the surface, as `update` does; returns the outputs, what the
+    surface was given as, and a report.
+    """
+    algorithm.SetInputDataObject(0, taken.data)
+    warnings, seconds = update(algorithm, progress, what)
+    return outputs_of(algorithm), taken.like, {"warnings": warnings, "seconds": {"total": seconds}}
