@@ -86,7 +86,8 @@ Status Ownership::update(const EmbeddedSurface& surface, const Sites& sites,
   {
     this->begin(std::vector<Index>(corners, noIndex), sites);
   }
-  const bool keepsLeads = surface.numberOfCorners() / fewestCorners >= sites.count();
+  const Index asked = std::min(m_corners, surface.numberOfCorners());
+  const bool keepsLeads = asked / fewestCorners >= m_share * sites.count();
   if (Status status =
         keepsLeads ? m_drift.update(sites, lists, control.silent()) : Status::success();
       !status.ok())
@@ -100,7 +101,7 @@ Status Ownership::update(const EmbeddedSurface& surface, const Sites& sites,
       using Search = OwnerSearch<decltype(dimension)::value>;
       ScratchPool<Search> pool(
         [&]() { return std::make_unique<Search>(sites, lists, keepsLeads, m_instructions); });
-      return forEachRange(Blocks::cut(surface.numberOfCorners(), 1024, 4096), control,
+      return forEachRange(Blocks::cut(asked, 1024, 4096), control,
         [&](Offset begin, Offset end)
         {
           const auto search = pool.borrow();

@@ -12,6 +12,8 @@
 #include "Support/InstructionSet.h"
 #include "Voronoi/SiteDrift.h"
 
+#include <limits>
+
 namespace remesh
 {
 template <int D>
@@ -23,6 +25,16 @@ public:
   explicit Ownership(InstructionSet instructions = widestInstructionSet())
     : m_instructions(instructions)
   {
+  }
+
+  /**
+   * From now on only the first so many corners are asked for, which are about this share of the
+   * surface, and so of what the sites own. Others keep their owners of before.
+   */
+  void lookAfter(Index corners, double share)
+  {
+    m_corners = corners;
+    m_share = share;
   }
 
   /** Tells the next update owners (C) that it need not find; noIndex at other corners. */
@@ -48,6 +60,8 @@ private:
   std::vector<Index> m_owners;
   std::vector<double> m_squared;
   SiteDrift m_drift;
+  Index m_corners = std::numeric_limits<Index>::max(); ///< that are looked after
+  double m_share = 1.0;
   Index m_numberOfSites = 0;
   std::vector<float> m_leads; ///< C, and the owner's drift when it was found; rounded down
   bool m_someKnown = false;   ///< infinite leads stand for owners that are told, for one update

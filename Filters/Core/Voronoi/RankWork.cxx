@@ -16,10 +16,12 @@ class PartIntegration
 {
 public:
   explicit PartIntegration(Packet& packet)
-    : m_blockLength(blockLength(packet))
+    : m_blockLength(take<Offset>(packet))
+    , m_share(take<double>(packet))
     , m_surface(takeSurface(packet))
     , m_voronoi(m_surface)
   {
+    m_voronoi.beShare(m_share);
   }
 
   Status integrate(Packet& packet, std::vector<BlockSums>& blocks)
@@ -32,14 +34,16 @@ public:
   }
 
 private:
-  static Offset blockLength(Packet& packet)
+  template <class T>
+  static T take(Packet& packet)
   {
-    Offset length = 0;
-    packet.take(length);
-    return length;
+    T value = 0;
+    packet.take(value);
+    return value;
   }
 
   Offset m_blockLength;
+  double m_share;
   EmbeddedSurface m_surface;
   RestrictedVoronoi m_voronoi;
 };

@@ -12,9 +12,10 @@ namespace remesh
 /** What a packet from the first rank begins with. All but the first kind are answered. */
 enum class RankOrder : int
 {
-  Leave,       ///< there is nothing more to do
-  TakeSurface, ///< the length of blocks and a part of the surface: instead of an earlier one
-  Integrate    ///< sites, for which the sums of that part's blocks are sent back
+  Leave, ///< there is nothing more to do
+  /** The length of blocks, and a part of the surface: how much it is, and itself. */
+  TakeSurface,
+  Integrate ///< sites, for which the sums of that part's blocks are sent back
 };
 
 /**

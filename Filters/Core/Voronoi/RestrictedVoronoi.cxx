@@ -52,6 +52,8 @@ Status RestrictedVoronoi::locate(const Sites& sites, const RunControl& control)
     return status;
   }
   timer.next(m_times.ownership);
+  m_ownership.lookAfter(m_shared ? m_shared->ownCorners() : m_surface.numberOfCorners(),
+    m_shared ? m_shared->ownShare() : m_share);
   return m_ownership.update(m_surface, sites, m_lists, control.step(1, 4));
 }
 
@@ -70,6 +72,7 @@ Status RestrictedVoronoi::locateOnce(
   {
     m_ownership.know(kept->owners(), sites);
   }
+  m_ownership.lookAfter(m_surface.numberOfCorners(), 1.0);
   return m_ownership.update(m_surface, sites, m_lists, control.step(1, 4));
 }
 

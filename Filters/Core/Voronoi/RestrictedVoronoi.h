@@ -74,6 +74,9 @@ public:
    */
   void divideAmong(Ranks* ranks) { m_ranks = ranks && ranks->count() > 1 ? ranks : nullptr; }
 
+  /** Tells that the surface is about this share of the one that the sites are spread over. */
+  void beShare(double share) { m_share = share; }
+
   /** Integrals over the cells of these sites (at least one). */
   Status integrate(const Sites& sites, const RunControl& control, CellSums& sums);
 
@@ -115,6 +118,7 @@ private:
   InstructionSet m_instructions;
   Decisions m_decisions;
   Offset m_window = 0; ///< 0: as suits
+  double m_share = 1.0;
   Ranks* m_ranks = nullptr;
   std::unique_ptr<SharedIntegration> m_shared; ///< once the ranks have their parts
   NeighborLists m_lists;

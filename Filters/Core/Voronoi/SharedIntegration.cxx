@@ -31,15 +31,27 @@ SharedIntegration::SharedIntegration(Ranks& ranks, const EmbeddedSurface& surfac
 {
   const Blocks blocks = facetBlocks(surface);
   m_blocks = blocks.count();
+  const auto shareOf = [&](Offset begin, Offset end)
+  { return static_cast<double>(end - begin) / static_cast<double>(blocks.size); };
+  const Offset own = std::min(blocks.size, blocks.begin(this->ownBlocks()));
+  m_ownShare = shareOf(0, own);
+  for (Offset facet = 0; facet < own; ++facet)
+  {
+    for (const Index corner : surface.facetCorners[facet])
+    {
+      m_ownCorners = std::max(m_ownCorners, corner + 1);
+    }
+  }
   for (int rank = 1; rank < ranks.count(); ++rank)
   {
-    const Offset begin = firstBlock(m_blocks, rank, ranks.count());
-    const Offset end = firstBlock(m_blocks, rank + 1, ranks.count());
+    const Offset begin = blocks.begin(firstBlock(m_blocks, rank, ranks.count()));
+    const Offset end =
+      std::min(blocks.size, blocks.begin(firstBlock(m_blocks, rank + 1, ranks.count())));
     Packet packet;
     packet.add(RankOrder::TakeSurface);
     packet.add(blocks.length);
-    addSurface(
-      partOf(surface, blocks.begin(begin), std::min(blocks.size, blocks.begin(end))), packet);
+    packet.add(shareOf(begin, end));
+    addSurface(partOf(surface, begin, end), packet);
     ranks.send(rank, packet);
   }
 }

@@ -41,6 +41,10 @@ public:
 
   /** The first so many blocks are this rank's. */
   Offset ownBlocks() const;
+  /** None of a higher number is used by their facets. */
+  Index ownCorners() const { return m_ownCorners; }
+  /** Of the facets. */
+  double ownShare() const { return m_ownShare; }
 
   /** The others begin, unless one of them could not take its part: `end` tells. */
   void begin(const Sites& sites);
@@ -60,6 +64,8 @@ private:
 
   Ranks& m_ranks;
   Offset m_blocks;
+  Index m_ownCorners = 0;
+  double m_ownShare = 0.0;
   int m_next;                         ///< the rank that is to answer next; their number: none
   Status m_taken = Status::success(); ///< whether all have their parts
 };
