@@ -1,27 +1,25 @@
 #include "Mesh/BoxDistances.h"
 
+#include "Support/CompiledInLanes.h"
+
 namespace remesh
 {
 namespace
 {
 struct Evaluation
 {
-  [[gnu::always_inline]] static inline void addPositive(const Lanes& outside, Lanes& sum)
+  template <class L>
+  [[gnu::always_inline]] static inline void addPositive(L outside, L& sum)
   {
-    LaneBits negative;
-    LaneBits bits;
-    Lanes positive;
-    findNegative(outside, negative);
-    std::memcpy(&bits, &outside, sizeof outside);
-    bits &= ~negative;
-    std::memcpy(&positive, &bits, sizeof bits);
-    sum += positive * positive;
+    keepPositive(outside);
+    sum += outside * outside;
   }
 
+  template <class L>
   [[gnu::always_inline]] static inline void run(const BoxDistances& task)
   {
-    Lanes sum{};
-    Lanes bound;
+    L sum{};
+    L bound;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double x = task.point[axis];
@@ -36,19 +34,17 @@ struct Evaluation
 
 struct Meeting
 {
+  template <class L>
   [[gnu::always_inline]] static inline unsigned run(const BoxMeeting& task)
   {
-    LaneBits apart{};
-    LaneBits negative;
-    Lanes bound;
+    typename L::Bits apart{};
+    L bound;
     for (int axis = 0; axis < 3; ++axis)
     {
       load(task.boxes.lower[axis], bound);
-      findNegative(task.upper[axis] - bound + 0.0, negative); // -0 is none
-      apart |= negative;
+      addNegative(task.upper[axis] - bound + 0.0, apart); // -0 is none
       load(task.boxes.upper[axis], bound);
-      findNegative(bound - task.lower[axis] + 0.0, negative);
-      apart |= negative;
+      addNegative(bound - task.lower[axis] + 0.0, apart);
     }
     return bitsOf(~apart);
   }
@@ -57,11 +53,11 @@ struct Meeting
 
 BoxDistanceEvaluation boxDistanceEvaluation(InstructionSet set)
 {
-  return CompiledFor<Evaluation, const BoxDistances&>::select(set);
+  return CompiledInLanes<Evaluation, const BoxDistances&>::select(set);
 }
 
 BoxMeetingEvaluation boxMeetingEvaluation(InstructionSet set)
 {
-  return CompiledFor<Meeting, const BoxMeeting&>::select(set);
+  return CompiledInLanes<Meeting, const BoxMeeting&>::select(set);
 }
 }

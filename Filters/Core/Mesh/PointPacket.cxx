@@ -1,6 +1,10 @@
 #include "Mesh/PointPacket.h"
 
+#include "Support/CompiledInLanes.h"
+
 #include <Eigen/Geometry>
+
+#include <limits>
 
 namespace remesh
 {
@@ -9,33 +13,29 @@ namespace
 /** Of the angle at the corner; digits are lost with its square. */
 constexpr double leastSine = 1e-2;
 
-/** A vector of R^3 for each point. */
-using LanePoint = Lanes[3];
-
-[[gnu::always_inline]] inline void clampNegative(Lanes& values)
+/** Twice what is above 0, and 0 for the rest: without a comparison. */
+template <int W>
+[[gnu::always_inline]] inline void doublePositive(Lanes<W>& values)
 {
-  LaneBits negative;
-  findNegative(values, negative);
-  replaceChosen(Lanes{}, negative, values);
+  for (int k = 0; k < values.parts; ++k)
+  {
+    typename LaneBits<W>::Vector bits;
+    typename Lanes<W>::Vector absolute;
+    std::memcpy(&bits, &values.part[k], sizeof bits);
+    bits &= ~0ULL >> 1;
+    std::memcpy(&absolute, &bits, sizeof bits);
+    values.part[k] += absolute;
+  }
 }
 
-/** Twice what is above 0, by the sign's bit: compilers take comparisons apart. */
-[[gnu::always_inline]] inline void doublePositive(Lanes& values)
-{
-  LaneBits bits;
-  std::memcpy(&bits, &values, sizeof values);
-  bits &= ~0ULL >> 1;
-  Lanes absolute;
-  std::memcpy(&absolute, &bits, sizeof bits);
-  values += absolute;
-}
-
-[[gnu::always_inline]] inline void multiply(const Point3& a, const LanePoint& b, Lanes& product)
+template <class L>
+[[gnu::always_inline]] inline void multiply(const Point3& a, const L (&b)[3], L& product)
 {
   product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-[[gnu::always_inline]] inline void loadPoints(const PointPacket& packet, LanePoint& points)
+template <class L>
+[[gnu::always_inline]] inline void loadPoints(const PointPacket& packet, L (&points)[3])
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -45,39 +45,42 @@ using LanePoint = Lanes[3];
 
 struct BoxEvaluation
 {
+  template <class L>
   [[gnu::always_inline]] static inline double run(const PacketBox& task)
   {
-    Lanes sum{};
+    L sum{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      Lanes x;
+      L x;
       load(task.packet.point[axis], x);
-      Lanes below = task.boxes.lower[axis][task.box] - x;
-      Lanes above = x - task.boxes.upper[axis][task.box];
+      L below = task.boxes.lower[axis][task.box] - x;
+      L above = x - task.boxes.upper[axis][task.box];
       doublePositive(below);
       doublePositive(above);
       sum += below * below + above * above; // one of them is 0
     }
     sum *= 0.25;
-    Lanes known;
+    L known;
     load(task.packet.squared, known);
-    LaneBits nearer;
+    typename L::Bits nearer;
     findNegative(sum - known, nearer);
+    keepChosen(nearer, std::numeric_limits<double>::infinity(), sum);
     double squared[lanes];
-    storeChosen(sum, nearer, squared);
+    store(sum, squared);
     return leastOfLanes(squared);
   }
 };
 
 struct GroupEvaluation
 {
+  template <class L>
   [[gnu::always_inline]] static inline void run(const PacketGroup& task)
   {
-    Lanes sum{};
+    L sum{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      Lanes below;
-      Lanes above;
+      L below;
+      L above;
       load(task.boxes.lower[axis], below);
       load(task.boxes.upper[axis], above);
       below -= task.upper[axis];
@@ -94,79 +97,85 @@ struct GroupEvaluation
 struct PlaceEvaluation
 {
   /** Squared distances from an edge that begins where `way` does. */
+  template <class L>
   [[gnu::always_inline]] static inline void measureEdge(
-    const Point3& edge, double inverse, const LanePoint& way, Lanes& squared)
+    const Point3& edge, double inverse, const L (&way)[3], L& squared)
   {
-    Lanes share;
+    L share;
     multiply(edge, way, share);
     share *= inverse;
-    clampNegative(share);
+    keepPositive(share);
     share = 1.0 - share;
-    clampNegative(share);
+    keepPositive(share);
     share = 1.0 - share;
-    squared = Lanes{};
+    squared = L{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Lanes rest = way[axis] - share * edge[axis];
+      const L rest = way[axis] - share * edge[axis];
       squared += rest * rest;
     }
   }
 
-  [[gnu::always_inline]] static inline void takeLess(const Lanes& by, Lanes& values)
+  template <class L>
+  [[gnu::always_inline]] static inline void takeLess(const L& by, L& values)
   {
-    LaneBits less;
+    typename L::Bits less;
     findNegative(by - values, less);
     replaceChosen(by, less, values);
   }
 
   /** Where points are in a triangle's plane. */
+  template <class L>
   struct Feet
   {
-    Lanes squared;    ///< distances from the plane
-    Lanes side{};     ///< at least: those of the feet from the triangle, squared
-    LaneBits outside; ///< of the triangle
+    L squared;                ///< distances from the plane
+    L side{};                 ///< at least: those of the feet from the triangle, squared
+    typename L::Bits outside; ///< of the triangle
   };
 
   /** Adds what a weight tells: if it is negative, how far the foot is from the edge. */
-  [[gnu::always_inline]] static inline void addSide(const Lanes& weight, double height2, Feet& feet)
+  template <class L>
+  [[gnu::always_inline]] static inline void addSide(const L& weight, double height2, Feet<L>& feet)
   {
-    LaneBits outside;
-    LaneBits farther;
+    typename L::Bits outside;
+    typename L::Bits farther;
     findNegative(weight, outside);
-    feet.outside |= outside;
-    const Lanes side = weight * weight * height2;
+    addNegative(weight, feet.outside);
+    const L side = weight * weight * height2;
     findNegative(feet.side - side, farther);
     replaceChosen(side, outside & farther, feet.side);
   }
 
+  template <class L>
   [[gnu::always_inline]] static inline void findFeet(
-    const PacketTriangle& triangle, const LanePoint& way, Feet& feet)
+    const PacketTriangle& triangle, const L (&way)[3], Feet<L>& feet)
   {
-    Lanes u;
-    Lanes v;
+    L u;
+    L v;
     multiply(triangle.first, way, u);
     multiply(triangle.second, way, v);
-    feet.outside = LaneBits{};
+    feet.outside = {};
     addSide(u, triangle.heights[0], feet);
     addSide(v, triangle.heights[1], feet);
     addSide(1.0 - u - v, triangle.heights[2], feet);
-    feet.squared = Lanes{};
+    feet.squared = L{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Lanes rest = way[axis] - u * triangle.edges[0][axis] - v * triangle.edges[1][axis];
+      const L rest = way[axis] - u * triangle.edges[0][axis] - v * triangle.edges[1][axis];
       feet.squared += rest * rest;
     }
   }
 
+  template <class L>
   [[gnu::always_inline]] static inline void measureEdges(
-    const PacketTriangle& triangle, const LanePoint& way, const LaneBits& wanted, Lanes& squared)
+    const PacketTriangle& triangle, const L (&way)[3], const typename L::Bits& wanted, L& squared)
   {
-    Lanes least;
-    Lanes other;
+    L least;
+    L other;
     measureEdge(triangle.edges[0], triangle.inverse[0], way, least);
     measureEdge(triangle.edges[1], triangle.inverse[1], way, other);
     takeLess(other, least);
-    LanePoint second;
+    L second[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       second[axis] = way[axis] - triangle.edges[0][axis];
@@ -176,32 +185,33 @@ struct PlaceEvaluation
     replaceChosen(least, wanted, squared);
   }
 
+  template <class L>
   [[gnu::always_inline]] static inline unsigned run(const PacketPlaces& task)
   {
-    LanePoint way;
+    L way[3];
     loadPoints(task.packet, way);
     for (int axis = 0; axis < 3; ++axis)
     {
       way[axis] -= task.triangle.corner[axis];
     }
-    Feet feet;
+    Feet<L> feet;
     findFeet(task.triangle, way, feet);
-    Lanes known;
+    L known;
     load(task.packet.squared, known);
-    LaneBits nearer;
+    typename L::Bits nearer;
     findNegative(feet.squared + feet.side - known, nearer);
     if (bitsOf(nearer) == 0)
     {
       return 0;
     }
-    Lanes squared = feet.squared;
+    L squared = feet.squared;
     if (bitsOf(nearer & feet.outside) != 0)
     {
       measureEdges(task.triangle, way, feet.outside, squared);
     }
-    LaneBits less; // the others have not been measured
+    typename L::Bits less; // the others have not been measured
     findNegative(squared - known, less);
-    nearer &= less;
+    nearer = nearer & less;
     replaceChosen(squared, nearer, known);
     store(known, task.packet.squared);
     return bitsOf(nearer);
@@ -238,16 +248,16 @@ bool PacketTriangle::set(const Point3& a, const Point3& b, const Point3& c)
 
 PacketBoxEvaluation packetBoxEvaluation(InstructionSet set)
 {
-  return CompiledFor<BoxEvaluation, const PacketBox&>::select(set);
+  return CompiledInLanes<BoxEvaluation, const PacketBox&>::select(set);
 }
 
 PacketGroupEvaluation packetGroupEvaluation(InstructionSet set)
 {
-  return CompiledFor<GroupEvaluation, const PacketGroup&>::select(set);
+  return CompiledInLanes<GroupEvaluation, const PacketGroup&>::select(set);
 }
 
 PacketPlaceEvaluation packetPlaceEvaluation(InstructionSet set)
 {
-  return CompiledFor<PlaceEvaluation, const PacketPlaces&>::select(set);
+  return CompiledInLanes<PlaceEvaluation, const PacketPlaces&>::select(set);
 }
 }

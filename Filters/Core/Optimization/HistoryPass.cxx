@@ -1,13 +1,13 @@
 #include "Optimization/HistoryPass.h"
 
-#include "Support/Lanes.h"
+#include "Support/CompiledInLanes.h"
+
+#include <algorithm>
 
 namespace remesh
 {
 namespace
 {
-using Words = std::uint32_t __attribute__((vector_size(4 * wordsOfGroup)));
-using Floats = float __attribute__((vector_size(4 * wordsOfGroup)));
 static_assert(wordsOfGroup == lanes);
 
 template <class From, class To>
@@ -17,75 +17,113 @@ template <class From, class To>
   std::memcpy(&to, &from, sizeof to);
 }
 
-/** A group of a vector: its numbers k and those k + 8. */
+/** A group of a vector, its numbers k and those k + 8; each part of lanes for itself. */
+template <class L>
 struct Group
 {
-  Floats low;
-  Floats high;
+  using Numbers = typename L::Vector;
+  using Floats = typename NativeVector<L::width>::Floats;
+  using Words = typename NativeVector<L::width>::Words;
+  Floats low[L::parts];
+  Floats high[L::parts];
+
+  [[gnu::always_inline]] inline void load(const float* from)
+  {
+    std::memcpy(low, from, sizeof low);
+    std::memcpy(high, from + lanes, sizeof high);
+  }
+
+  [[gnu::always_inline]] inline void store(float* to) const
+  {
+    std::memcpy(to, low, sizeof low);
+    std::memcpy(to + lanes, high, sizeof high);
+  }
+
+  [[gnu::always_inline]] inline void loadHalved(const std::uint32_t* from)
+  {
+    for (int k = 0; k < L::parts; ++k)
+    {
+      Words words;
+      std::memcpy(&words, from + k * L::width, sizeof words);
+      copyBits(words << 16, low[k]);
+      copyBits(words & upperHalf, high[k]);
+    }
+  }
+
+  [[gnu::always_inline]] static inline void roundToUpperHalf(Floats& values, Words& words)
+  {
+    copyBits(values, words);
+    words = (words + 0x7FFFU + ((words >> 16) & 1U)) & upperHalf;
+    copyBits(words, values);
+  }
+
+  /** Rounds it to what two bytes a number hold, and writes it. */
+  [[gnu::always_inline]] inline void halve(std::uint32_t* place)
+  {
+    for (int k = 0; k < L::parts; ++k)
+    {
+      Words lower;
+      Words upper;
+      roundToUpperHalf(low[k], lower);
+      roundToUpperHalf(high[k], upper);
+      lower = (lower >> 16) | upper;
+      std::memcpy(place + k * L::width, &lower, sizeof lower);
+    }
+  }
+
+  [[gnu::always_inline]] inline void add(float factor, const Group& other)
+  {
+    for (int k = 0; k < L::parts; ++k)
+    {
+      low[k] += factor * other.low[k];
+      high[k] += factor * other.high[k];
+    }
+  }
 };
 
-[[gnu::always_inline]] inline void loadHalved(const std::uint32_t* from, Group& to)
-{
-  Words words;
-  std::memcpy(&words, from, sizeof words);
-  copyBits(words << 16, to.low);
-  copyBits(words & upperHalf, to.high);
-}
-
-[[gnu::always_inline]] inline void roundToUpperHalf(Floats& values)
-{
-  Words words;
-  copyBits(values, words);
-  words = (words + 0x7FFFU + ((words >> 16) & 1U)) & upperHalf;
-  copyBits(words, values);
-}
-
-/** Rounds a group to what two bytes a number hold, and writes it. */
-[[gnu::always_inline]] inline void halve(Group& group, std::uint32_t* place)
-{
-  roundToUpperHalf(group.low);
-  roundToUpperHalf(group.high);
-  Words low;
-  Words high;
-  copyBits(group.low, low);
-  copyBits(group.high, high);
-  low = (low >> 16) | high;
-  std::memcpy(place, &low, sizeof low);
-}
-
 /** Adds the products of two groups. As doubles: the products of rounding noise are no floats. */
-[[gnu::always_inline]] inline void addProducts(const Group& a, const Group& b, Lanes& sums)
+template <class L>
+[[gnu::always_inline]] inline void addProducts(const Group<L>& a, const Group<L>& b, L& sums)
 {
-  sums += __builtin_convertvector(a.low, Lanes) * __builtin_convertvector(b.low, Lanes);
-  sums += __builtin_convertvector(a.high, Lanes) * __builtin_convertvector(b.high, Lanes);
+  using Numbers = typename L::Vector;
+  for (int k = 0; k < L::parts; ++k)
+  {
+    sums.part[k] +=
+      __builtin_convertvector(a.low[k], Numbers) * __builtin_convertvector(b.low[k], Numbers);
+    sums.part[k] +=
+      __builtin_convertvector(a.high[k], Numbers) * __builtin_convertvector(b.high[k], Numbers);
+  }
 }
 
-[[gnu::always_inline]] inline double sumOf(const Lanes& s)
+template <class L>
+[[gnu::always_inline]] inline double sumOf(const L& sums)
 {
+  double s[lanes];
+  store(sums, s);
   return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
 }
 
 struct Recursion
 {
+  template <class L>
   [[gnu::always_inline]] static inline double run(const RecursionPass& task)
   {
-    Lanes sums{};
+    L sums{};
     for (std::size_t g = 0; g < task.groups; ++g)
     {
       float* const place = task.vector + g * groupOfNumbers;
-      Group values;
-      Group other;
-      std::memcpy(&values, place, sizeof values);
+      Group<L> values;
+      Group<L> other;
+      values.load(place);
       if (task.added)
       {
-        loadHalved(task.added + g * wordsOfGroup, other);
-        values.low += task.factor * other.low;
-        values.high += task.factor * other.high;
-        std::memcpy(place, &values, sizeof values);
+        other.loadHalved(task.added + g * wordsOfGroup);
+        values.add(task.factor, other);
+        values.store(place);
       }
       if (task.next)
       {
-        loadHalved(task.next + g * wordsOfGroup, other);
+        other.loadHalved(task.next + g * wordsOfGroup);
         addProducts(values, other, sums);
       }
     }
@@ -96,33 +134,39 @@ struct Recursion
 struct Pair
 {
   /** factor (b - a) as floats. */
+  template <class L>
   [[gnu::always_inline]] static inline void differ(
-    const double* a, const double* b, double factor, Group& result)
+    const double* a, const double* b, double factor, typename Group<L>::Floats (&result)[L::parts])
   {
-    Lanes x;
-    Lanes y;
+    L x;
+    L y;
     load(a, x);
     load(b, y);
-    result.low = __builtin_convertvector(factor * (y - x), Floats);
-    load(a + lanes, x);
-    load(b + lanes, y);
-    result.high = __builtin_convertvector(factor * (y - x), Floats);
+    x = factor * (y - x);
+    for (int k = 0; k < L::parts; ++k)
+    {
+      result[k] = __builtin_convertvector(x.part[k], typename Group<L>::Floats);
+    }
   }
 
-  [[gnu::always_inline]] static inline void runGroup(const PairPass& task, Lanes& sums)
+  template <class L>
+  [[gnu::always_inline]] static inline void runGroup(const PairPass& task, L& sums)
   {
-    Group step;
-    Group change;
-    differ(task.placeBefore, task.placeAfter, 1.0, step);
-    differ(task.momentBefore, task.momentAfter, -2.0, change);
-    halve(step, task.step);
-    halve(change, task.change);
+    Group<L> step;
+    Group<L> change;
+    differ<L>(task.placeBefore, task.placeAfter, 1.0, step.low);
+    differ<L>(task.placeBefore + lanes, task.placeAfter + lanes, 1.0, step.high);
+    differ<L>(task.momentBefore, task.momentAfter, -2.0, change.low);
+    differ<L>(task.momentBefore + lanes, task.momentAfter + lanes, -2.0, change.high);
+    step.halve(task.step);
+    change.halve(task.change);
     addProducts(step, change, sums);
   }
 
   /** The last group, if it is not whole. */
+  template <class L>
   [[gnu::always_inline]] static inline void runRest(
-    const PairPass& task, std::size_t begin, Lanes& sums)
+    const PairPass& task, std::size_t begin, L& sums)
   {
     double rows[4][groupOfNumbers] = {};
     const double* const from[4] = { task.placeBefore, task.placeAfter, task.momentBefore,
@@ -136,9 +180,10 @@ struct Pair
       sums);
   }
 
+  template <class L>
   [[gnu::always_inline]] static inline double run(const PairPass& task)
   {
-    Lanes sums{};
+    L sums{};
     std::size_t k = 0;
     for (; k + groupOfNumbers <= task.count; k += groupOfNumbers)
     {
@@ -157,7 +202,7 @@ struct Pair
 
 HistoryPasses historyPasses(InstructionSet set)
 {
-  return { CompiledFor<Recursion, const RecursionPass&>::select(set),
-    CompiledFor<Pair, const PairPass&>::select(set) };
+  return { CompiledInLanes<Recursion, const RecursionPass&>::select(set),
+    CompiledInLanes<Pair, const PairPass&>::select(set) };
 }
 }

@@ -1,22 +1,26 @@
 /**
  * @file Lanes.h
- * @brief Several numbers at once, and functions compiled for several sets of instructions.
+ * @brief Several numbers at once, in vectors of the width that a set of instructions has.
  *
- * A function is written once and inlined into one copy for each set; which one runs is chosen by
- * pointer. Products and sums are rounded on their own (a flag of this library's build) and each
- * lane is worked on alone, so that all copies give the same bits. Such a function must not call
- * others that are not inlined: GCC 12 then leaves the wide registers' upper halves in use, which
- * slows all other code down.
+ * GCC takes vectors that are wider than the registers apart in memory. So eight numbers are one,
+ * two or four vectors; CompiledInLanes.h chooses. Each lane is worked on alone, so that all give
+ * the same bits.
  */
 #ifndef remesh_Lanes_h
 #define remesh_Lanes_h
 
-#include "Support/InstructionSet.h"
-
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
-#include <limits>
-#include <utility>
+
+#if defined(__GNUC__) && !defined(__clang__)
+// All of it is inlined: no vector is ever passed to a function. And GCC 12 takes some vectors that
+// are set part by part for read before.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 
 namespace remesh
 {
@@ -28,52 +32,6 @@ constexpr int wholeLanes(int count)
   return (count + lanes - 1) / lanes * lanes;
 }
 
-/** Eight numbers at once (a vector of GCC and Clang, which split it where it is too wide). */
-using Lanes = double __attribute__((vector_size(8 * lanes)));
-
-[[gnu::always_inline]] inline void load(const double* from, Lanes& to)
-{
-  std::memcpy(&to, from, sizeof to);
-}
-
-[[gnu::always_inline]] inline void store(const Lanes& from, double* to)
-{
-  std::memcpy(to, &from, sizeof from);
-}
-
-using LaneBits = unsigned long long __attribute__((vector_size(8 * lanes)));
-
-/**
- * All bits of the lanes that are negative. By the sign's bit, since compilers take comparisons of
- * such wide vectors apart.
- */
-[[gnu::always_inline]] inline void findNegative(const Lanes& values, LaneBits& negative)
-{
-  std::memcpy(&negative, &values, sizeof values);
-  negative = 0ULL - (negative >> 63);
-}
-
-/** Takes over the chosen lanes of other values. */
-[[gnu::always_inline]] inline void replaceChosen(
-  const Lanes& by, const LaneBits& chosen, Lanes& values)
-{
-  LaneBits bits;
-  LaneBits others;
-  std::memcpy(&bits, &by, sizeof by);
-  std::memcpy(&others, &values, sizeof values);
-  bits = (bits & chosen) | (others & ~chosen);
-  std::memcpy(&values, &bits, sizeof bits);
-}
-
-/** The values of the chosen lanes, infinity in the others. */
-[[gnu::always_inline]] inline void storeChosen(
-  const Lanes& values, const LaneBits& chosen, double* to)
-{
-  Lanes stored = Lanes{} + std::numeric_limits<double>::infinity();
-  replaceChosen(values, chosen, stored);
-  store(stored, to);
-}
-
 /** The least of so many numbers. */
 [[gnu::always_inline]] inline double leastOfLanes(const double* n)
 {
@@ -82,57 +40,357 @@ using LaneBits = unsigned long long __attribute__((vector_size(8 * lanes)));
   return std::min(low, high);
 }
 
-/** One bit for each lane that is set. */
-[[gnu::always_inline]] inline unsigned bitsOf(const LaneBits& set)
+template <int Width>
+struct NativeVector;
+template <>
+struct NativeVector<2>
 {
-  const LaneBits weights{ 1, 2, 4, 8, 16, 32, 64, 128 };
-  const LaneBits weighted = set & weights;
-  unsigned long long bits[lanes];
-  std::memcpy(bits, &weighted, sizeof bits);
-  return static_cast<unsigned>(
-    ((bits[0] | bits[1]) | (bits[2] | bits[3])) | ((bits[4] | bits[5]) | (bits[6] | bits[7])));
-}
-
-/** Copies of `Body::run(Argument)`, which must be inlined. */
-template <class Body, class Argument>
-class CompiledFor
-{
-public:
-  using Result = decltype(Body::run(std::declval<Argument>()));
-  using Function = Result (*)(Argument);
-
-  static Function select(InstructionSet set)
-  {
-#if defined(__x86_64__)
-    return set == InstructionSet::Avx512 ? avx512 : set == InstructionSet::Avx2 ? avx2 : baseline;
-#else
-    static_cast<void>(set);
-    return baseline;
-#endif
-  }
-
-private:
-  static Result baseline(Argument argument)
-  {
-    return Body::run(argument);
-  }
-#if defined(__x86_64__)
-  [[gnu::target("avx2")]] static Result avx2(Argument argument)
-  {
-    return Body::run(argument);
-  }
-#if defined(__clang__) // knows no such preference
-  [[gnu::target("avx512f,avx512dq,avx512vl")]]
-#else
-  [[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]]
-#endif
-  static Result
-  avx512(Argument argument)
-  {
-    return Body::run(argument);
-  }
-#endif
+  using Numbers = double __attribute__((vector_size(16)));
+  using Floats = float __attribute__((vector_size(8)));
+  using Words = std::uint32_t __attribute__((vector_size(8)));
+  using Bits = unsigned long long __attribute__((vector_size(16)));
 };
+template <>
+struct NativeVector<4>
+{
+  using Numbers = double __attribute__((vector_size(32)));
+  using Floats = float __attribute__((vector_size(16)));
+  using Words = std::uint32_t __attribute__((vector_size(16)));
+  using Bits = unsigned long long __attribute__((vector_size(32)));
+};
+template <>
+struct NativeVector<8>
+{
+  using Numbers = double __attribute__((vector_size(64)));
+  using Floats = float __attribute__((vector_size(32)));
+  using Words = std::uint32_t __attribute__((vector_size(32)));
+  using Bits = unsigned long long __attribute__((vector_size(64)));
+};
+
+/** Eight masks: all bits of a lane, or none. */
+template <int Width>
+struct LaneBits
+{
+  static constexpr int parts = lanes / Width;
+  using Vector = typename NativeVector<Width>::Bits;
+  Vector part[parts];
+
+  [[gnu::always_inline]] inline friend LaneBits operator&(const LaneBits& a, const LaneBits& b)
+  {
+    LaneBits c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] & b.part[k];
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend LaneBits operator~(const LaneBits& a)
+  {
+    LaneBits c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = ~a.part[k];
+    }
+    return c;
+  }
+};
+
+/** Eight numbers. Not set when made. */
+template <int Width>
+struct Lanes
+{
+  static constexpr int width = Width;
+  static constexpr int parts = lanes / Width;
+  using Vector = typename NativeVector<Width>::Numbers;
+  using Bits = LaneBits<Width>;
+  Vector part[parts];
+
+  Lanes() = default;
+  [[gnu::always_inline]] inline explicit Lanes(double number)
+  {
+    for (Vector& vector : part)
+    {
+      vector = number - Vector{};
+    }
+  }
+
+  [[gnu::always_inline]] inline friend Lanes operator+(const Lanes& a, const Lanes& b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] + b.part[k];
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator-(const Lanes& a, const Lanes& b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] - b.part[k];
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator*(const Lanes& a, const Lanes& b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] * b.part[k];
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator/(const Lanes& a, const Lanes& b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] / b.part[k];
+    }
+    return c;
+  }
+  // With a plain number, written out: made into lanes by the constructor, a run took 8 % longer.
+  [[gnu::always_inline]] inline friend Lanes operator+(double a, const Lanes& b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a + b.part[k];
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator-(double a, const Lanes& b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a - b.part[k];
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator*(double a, const Lanes& b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a * b.part[k];
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator+(const Lanes& a, double b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] + b;
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator-(const Lanes& a, double b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] - b;
+    }
+    return c;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator*(const Lanes& a, double b)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = a.part[k] * b;
+    }
+    return c;
+  }
+  template <class Other>
+  [[gnu::always_inline]] inline void operator+=(const Other& other)
+  {
+    *this = *this + other;
+  }
+  template <class Other>
+  [[gnu::always_inline]] inline void operator-=(const Other& other)
+  {
+    *this = *this - other;
+  }
+  template <class Other>
+  [[gnu::always_inline]] inline void operator*=(const Other& other)
+  {
+    *this = *this * other;
+  }
+  [[gnu::always_inline]] inline friend Lanes operator-(const Lanes& a)
+  {
+    Lanes c;
+    for (int k = 0; k < parts; ++k)
+    {
+      c.part[k] = -a.part[k];
+    }
+    return c;
+  }
+};
+
+template <int W>
+[[gnu::always_inline]] inline void load(const double* from, Lanes<W>& to)
+{
+  for (int k = 0; k < to.parts; ++k)
+  {
+    std::memcpy(&to.part[k], from + k * W, sizeof to.part[k]);
+  }
 }
+
+template <int W>
+[[gnu::always_inline]] inline void store(const Lanes<W>& from, double* to)
+{
+  for (int k = 0; k < from.parts; ++k)
+  {
+    std::memcpy(to + k * W, &from.part[k], sizeof from.part[k]);
+  }
+}
+
+/** Made wider, which is exact. */
+template <int W>
+[[gnu::always_inline]] inline void load(const float* from, Lanes<W>& to)
+{
+  for (int k = 0; k < to.parts; ++k)
+  {
+    typename NativeVector<W>::Floats floats;
+    std::memcpy(&floats, from + k * W, sizeof floats);
+    to.part[k] = __builtin_convertvector(floats, typename Lanes<W>::Vector);
+  }
+}
+
+/** Column m of eight rows. */
+template <int W>
+[[gnu::always_inline]] inline void readColumn(
+  const double* const* rows, std::ptrdiff_t m, Lanes<W>& to)
+{
+  for (int k = 0; k < to.parts; ++k)
+  {
+    using Vector = typename Lanes<W>::Vector;
+    const double* const* r = rows + k * W;
+    if constexpr (W == 2)
+    {
+      const Vector column{ r[0][m], r[1][m] };
+      std::memcpy(&to.part[k], &column, sizeof column);
+    }
+    else if constexpr (W == 4)
+    {
+      const Vector column{ r[0][m], r[1][m], r[2][m], r[3][m] };
+      std::memcpy(&to.part[k], &column, sizeof column);
+    }
+    else
+    {
+      const Vector column{ r[0][m], r[1][m], r[2][m], r[3][m], r[4][m], r[5][m], r[6][m], r[7][m] };
+      std::memcpy(&to.part[k], &column, sizeof column);
+    }
+  }
+}
+
+/** All bits of the lanes that are negative: by the sign's bit, so of minus zero, too. */
+template <int W>
+[[gnu::always_inline]] inline void findNegative(const Lanes<W>& values, LaneBits<W>& negative)
+{
+  for (int k = 0; k < values.parts; ++k)
+  {
+    std::memcpy(&negative.part[k], &values.part[k], sizeof values.part[k]);
+    negative.part[k] = 0ULL - (negative.part[k] >> 63);
+  }
+}
+
+/** Marks the lanes that are negative, too. */
+template <int W>
+[[gnu::always_inline]] inline void addNegative(const Lanes<W>& values, LaneBits<W>& marks)
+{
+  LaneBits<W> negative;
+  findNegative(values, negative);
+  for (int k = 0; k < values.parts; ++k)
+  {
+    marks.part[k] |= negative.part[k];
+  }
+}
+
+/** Adds up the marks of each lane: as all bits are set, they are minus one. */
+template <int W>
+[[gnu::always_inline]] inline void count(const LaneBits<W>& marks, LaneBits<W>& sums)
+{
+  for (int k = 0; k < marks.parts; ++k)
+  {
+    sums.part[k] -= marks.part[k];
+  }
+}
+
+template <int W>
+[[gnu::always_inline]] inline int sumOf(const LaneBits<W>& numbers)
+{
+  unsigned long long n[lanes];
+  for (int k = 0; k < numbers.parts; ++k)
+  {
+    std::memcpy(n + k * W, &numbers.part[k], sizeof numbers.part[k]);
+  }
+  return static_cast<int>(((n[0] + n[1]) + (n[2] + n[3])) + ((n[4] + n[5]) + (n[6] + n[7])));
+}
+
+/** Takes over the chosen lanes of other values. */
+template <int W>
+[[gnu::always_inline]] inline void replaceChosen(
+  const Lanes<W>& by, const LaneBits<W>& chosen, Lanes<W>& values)
+{
+  for (int k = 0; k < values.parts; ++k)
+  {
+    typename LaneBits<W>::Vector bits;
+    typename LaneBits<W>::Vector rest;
+    std::memcpy(&bits, &by.part[k], sizeof bits);
+    std::memcpy(&rest, &values.part[k], sizeof rest);
+    bits = (bits & chosen.part[k]) | (rest & ~chosen.part[k]);
+    std::memcpy(&values.part[k], &bits, sizeof bits);
+  }
+}
+
+/** The values of the chosen lanes, `other` in the others. */
+template <int W>
+[[gnu::always_inline]] inline void keepChosen(
+  const LaneBits<W>& chosen, double other, Lanes<W>& values)
+{
+  Lanes<W> kept(other);
+  replaceChosen(values, chosen, kept);
+  values = kept;
+}
+
+/** Zero instead of what is negative. */
+template <int W>
+[[gnu::always_inline]] inline void keepPositive(Lanes<W>& values)
+{
+  for (int k = 0; k < values.parts; ++k)
+  {
+    typename LaneBits<W>::Vector bits;
+    std::memcpy(&bits, &values.part[k], sizeof bits);
+    bits &= (bits >> 63) - 1ULL;
+    std::memcpy(&values.part[k], &bits, sizeof bits);
+  }
+}
+
+/** One bit for each lane that is marked. */
+template <int W>
+[[gnu::always_inline]] inline unsigned bitsOf(const LaneBits<W>& marks)
+{
+  unsigned long long bits[lanes];
+  for (int k = 0; k < marks.parts; ++k)
+  {
+    std::memcpy(bits + k * W, &marks.part[k], sizeof marks.part[k]);
+  }
+  unsigned long long sum = 0;
+  for (int lane = 0; lane < lanes; ++lane)
+  {
+    sum |= bits[lane] & (1ULL << lane);
+  }
+  return static_cast<unsigned>(sum);
+}
+}
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -1,6 +1,6 @@
 #include "Voronoi/BisectorValues.h"
 
-#include "Support/NativeLanes.h"
+#include "Support/CompiledInLanes.h"
 
 #include <algorithm>
 #include <cstddef>

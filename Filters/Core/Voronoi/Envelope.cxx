@@ -1,6 +1,6 @@
 #include "Voronoi/Envelope.h"
 
-#include "Support/NativeLanes.h"
+#include "Support/CompiledInLanes.h"
 #include "Voronoi/EnvelopeBuilder.h"
 
 #include <algorithm>

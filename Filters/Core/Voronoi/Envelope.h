@@ -23,6 +23,7 @@
 #ifndef remesh_Envelope_h
 #define remesh_Envelope_h
 
+#include "Support/InstructionSet.h"
 #include "Support/Lanes.h"
 
 #include <algorithm>

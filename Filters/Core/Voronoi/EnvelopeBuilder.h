@@ -5,7 +5,8 @@
  * Each border adds to the integrals of the two cells beside it (Green's theorem); of the facet's
  * edges only edge 1 adds anything, as u = 0 or v = 0 on the others.
  *
- * All of it is inlined into functions that are compiled for a set of instructions (Lanes.h).
+ * All of it is inlined into functions that are compiled for a set of instructions
+ * (CompiledInLanes.h).
  */
 #ifndef remesh_EnvelopeBuilder_h
 #define remesh_EnvelopeBuilder_h

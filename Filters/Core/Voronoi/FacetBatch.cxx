@@ -1,5 +1,6 @@
 #include "Voronoi/FacetBatch.h"
 
+#include "Support/CompiledInLanes.h"
 #include "Voronoi/FacetLanes.h"
 
 namespace remesh

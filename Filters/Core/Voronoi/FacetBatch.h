@@ -22,6 +22,7 @@
 #ifndef remesh_FacetBatch_h
 #define remesh_FacetBatch_h
 
+#include "Support/InstructionSet.h"
 #include "Support/Lanes.h"
 
 #include <Eigen/Core>

@@ -2,12 +2,13 @@
  * @file FacetLanes.h
  * @brief What all patterns of FacetBatch.h share: corners and sites in lanes, vertices, parts.
  *
- * All of it is inlined into functions that are compiled for a set of instructions (NativeLanes.h).
+ * All of it is inlined into functions that are compiled for a set of instructions
+ * (CompiledInLanes.h).
  */
 #ifndef remesh_FacetLanes_h
 #define remesh_FacetLanes_h
 
-#include "Support/NativeLanes.h"
+#include "Support/Lanes.h"
 #include "Voronoi/FacetBatch.h"
 
 #include <limits>

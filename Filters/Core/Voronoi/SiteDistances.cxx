@@ -1,6 +1,6 @@
 #include "Voronoi/SiteDistances.h"
 
-#include "Support/NativeLanes.h"
+#include "Support/CompiledInLanes.h"
 
 #include <cstddef>
 
