@@ -7,8 +7,8 @@
  * Tracing their common borders makes each vertex once, and each border adds to the integrals of
  * the two cells beside it (Green's theorem):
  *
- * 1. along each edge of the facet, from its owner at one corner, the site that takes over first;
- *    where it does, a border between two cells starts into the facet;
+ * 1. along each edge of the facet, from its owner at one corner, the site that takes over first, a
+ *    step of all three edges at a time; where it does, a border between two cells starts inwards;
  * 2. the two ends of a border know each other by their pair of sites (cells are convex: two share
  *    at most one border in a facet);
  * 3. from an end without its other end, the site that is met first along the border makes a vertex

@@ -53,13 +53,12 @@ struct EnvelopeBuilder
     return envelope.numberOfVertices++;
   }
 
-  /** On the facet's edge from corner k to l, where `second` follows `first`. */
-  [[gnu::always_inline]] inline int addCrossing(int k, int l, double along, int first, int second)
+  /** On the facet's edge from corner k to the next, where `second` follows `first`. */
+  template <int k>
+  [[gnu::always_inline]] inline int addCrossing(double along, int first, int second)
   {
-    double b[3] = { 0.0, 0.0, 0.0 };
-    b[k] = 1.0 - along;
-    b[l] = along;
-    return addVertex(b[0], b[1], b[2], first, second, first);
+    const double b[3] = { 1.0 - along, along, 0.0 };
+    return addVertex(b[(3 - k) % 3], b[(4 - k) % 3], b[(5 - k) % 3], first, second, first);
   }
 
   /** The border from a to b, `left` on its left side, adds to both. */

@@ -40,7 +40,6 @@ FacetIntegration<D>::FacetIntegration(const EmbeddedSurface& surface, const Site
   m_cellView.points.resize(3 * static_cast<std::size_t>(surface.dimension));
 }
 
-/** The owners of the corners, the one likely to see the facet best first. */
 template <int D>
 typename FacetIntegration<D>::Owners FacetIntegration<D>::distinctOwners(
   const Triple& corners) const
@@ -54,21 +53,26 @@ typename FacetIntegration<D>::Owners FacetIntegration<D>::distinctOwners(
       return { shared == all[k] ? 1 : 2, { shared, all[k], noIndex } };
     }
   }
+  return { 3, { all[0], all[1], all[2] } };
+}
+
+/** Of the owners, the one likely to see the facet best. */
+template <int D>
+Index FacetIntegration<D>::bestOwner(const Triple& corners, const Owners& owners) const
+{
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < owners.count && owners.count == 3; ++k)
   {
-    const double squared =
-      squaredDistance<D>(m_sites.site(all[k]), m_surface.corner(corners[k]), m_surface.dimension);
+    const double squared = squaredDistance<D>(
+      m_sites.site(owners.sites[k]), m_surface.corner(corners[k]), m_surface.dimension);
     if (squared < least)
     {
       best = k;
       least = squared;
     }
   }
-  Owners owners{ 3, { all[0], all[1], all[2] } };
-  std::swap(owners.sites[0], owners.sites[best]);
-  return owners;
+  return owners.sites[best];
 }
 
 template <int D>
@@ -188,7 +192,7 @@ bool FacetIntegration<D>::integrate(Index facet)
     }
     center = noIndex;
   }
-  this->lookFrom(owners.sites[0], corners);
+  this->lookFrom(this->bestOwner(corners, owners), corners);
   double farthest = 0.0;
   if (this->seesAll(m_views[0], farthest))
   {
@@ -198,24 +202,39 @@ bool FacetIntegration<D>::integrate(Index facet)
   return this->integrateLarge(facet, owners);
 }
 
+/** Adds the owners beside the reference; returns what the best one (see bestOwner) sees. */
+template <int D>
+const typename FacetIntegration<D>::View& FacetIntegration<D>::addOwners(
+  Index facet, const Owners& owners)
+{
+  const View* best = nullptr;
+  int bestCorner = 0;
+  for (int w = 0; w < owners.count; ++w)
+  {
+    const View* owner = &m_views[0];
+    if (owners.sites[w] != owner->site)
+    {
+      View& view = m_views[m_numberOfViews++];
+      this->look(owners.sites[w], m_surface.facetCorners[facet], view);
+      this->addSite(view.site, view.values);
+      m_facetOfSite[view.site] = facet;
+      owner = &view;
+    }
+    if (!best || (owners.count == 3 && owner->squared[w] < best->squared[bestCorner]))
+    {
+      best = owner;
+      bestCorner = w;
+    }
+  }
+  return *best;
+}
+
 template <int D>
 bool FacetIntegration<D>::integrateLarge(Index facet, const Owners& owners)
 {
-  const Triple& corners = m_surface.facetCorners[facet];
   const View& reference = m_views[0];
   m_facetOfSite[reference.site] = facet;
-  const View* first = &reference; // of the owners
-  for (int w = 0; w < owners.count; ++w)
-  {
-    if (owners.sites[w] != reference.site)
-    {
-      View& view = m_views[m_numberOfViews++];
-      this->look(owners.sites[w], corners, view);
-      this->addSite(view.site, view.values);
-      m_facetOfSite[view.site] = facet;
-      first = w == 0 ? &view : first;
-    }
-  }
+  const View& best = this->addOwners(facet, owners);
   const auto isNew = [this, facet](Index site, const double*) { return this->meets(site, facet); };
   double farthest = 0.0;
   const bool complete = this->seesAll(reference, farthest);
@@ -234,7 +253,7 @@ bool FacetIntegration<D>::integrateLarge(Index facet, const Owners& owners)
     }
     if (!grown)
     {
-      m_centers[facet] = this->seesAll(*first, farthest) ? noIndex : this->nearestToCenter();
+      m_centers[facet] = this->seesAll(best, farthest) ? noIndex : this->nearestToCenter();
       return true;
     }
   }

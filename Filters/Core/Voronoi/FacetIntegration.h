@@ -75,7 +75,7 @@ private:
     std::vector<double> points; ///< 3 x d
   };
 
-  /** The sites that own a facet's corners. */
+  /** The sites that own a facet's corners, three in their order; of two the one with two first. */
   struct Owners
   {
     int count;
@@ -89,6 +89,7 @@ private:
   };
 
   Owners distinctOwners(const Triple& corners) const;
+  Index bestOwner(const Triple& corners, const Owners& owners) const;
   bool seesAll(const View& view, double& farthest) const;
   bool isAway(const View& view) const;
   void look(Index site, const Triple& corners, View& view) const;
@@ -96,6 +97,7 @@ private:
   void addSite(Index site, const double values[3]);
   template <class Accept>
   bool addNeighbors(const View& view, double farthest, const Accept& accept);
+  const View& addOwners(Index facet, const Owners& owners);
   bool integrateLarge(Index facet, const Owners& owners);
   Index nearestToCenter() const;
   bool checkCells(Index facet, bool& grown);
