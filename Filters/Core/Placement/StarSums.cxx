@@ -1,6 +1,7 @@
 #include "Placement/StarSums.h"
 
 #include "Support/CompiledInLanes.h"
+#include "Support/LaneColumns.h"
 
 #include <limits>
 

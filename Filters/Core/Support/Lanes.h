@@ -261,33 +261,6 @@ template <int W>
   }
 }
 
-/** Column m of eight rows. */
-template <int W>
-[[gnu::always_inline]] inline void readColumn(
-  const double* const* rows, std::ptrdiff_t m, Lanes<W>& to)
-{
-  for (int k = 0; k < to.parts; ++k)
-  {
-    using Vector = typename Lanes<W>::Vector;
-    const double* const* r = rows + k * W;
-    if constexpr (W == 2)
-    {
-      const Vector column{ r[0][m], r[1][m] };
-      std::memcpy(&to.part[k], &column, sizeof column);
-    }
-    else if constexpr (W == 4)
-    {
-      const Vector column{ r[0][m], r[1][m], r[2][m], r[3][m] };
-      std::memcpy(&to.part[k], &column, sizeof column);
-    }
-    else
-    {
-      const Vector column{ r[0][m], r[1][m], r[2][m], r[3][m], r[4][m], r[5][m], r[6][m], r[7][m] };
-      std::memcpy(&to.part[k], &column, sizeof column);
-    }
-  }
-}
-
 /** All bits of the lanes that are negative: by the sign's bit, so of minus zero, too. */
 template <int W>
 [[gnu::always_inline]] inline void findNegative(const Lanes<W>& values, LaneBits<W>& negative)

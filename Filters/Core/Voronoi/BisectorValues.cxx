@@ -1,6 +1,7 @@
 #include "Voronoi/BisectorValues.h"
 
 #include "Support/CompiledInLanes.h"
+#include "Support/LaneColumns.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -41,6 +42,17 @@ struct Minimum
 
 struct Packing
 {
+  /** A row of offsets; returns where the next one goes. */
+  template <class L>
+  [[gnu::always_inline]] static inline double* keep(
+    L& row, double x, double* to, int stride, L& squared)
+  {
+    row -= x;
+    store(row, to);
+    squared += row * row;
+    return to + stride;
+  }
+
   template <class L>
   [[gnu::always_inline]] static inline void run(const BisectorPack& task)
   {
@@ -60,13 +72,20 @@ struct Packing
       L squared;
       load(squares, squared);
       double* to = task.offsets + first;
-      for (int m = 0; m < task.dimension; ++m, to += task.stride)
+      int m = 0;
+      for (; m + 1 < task.dimension; m += 2)
       {
-        L offsets{};
-        readColumn(y, m, offsets);
-        offsets -= x[m];
-        store(offsets, to);
-        squared += offsets * offsets;
+        L one;
+        L other;
+        readTwoColumns(y, m, one, other);
+        to = keep(one, x[m], to, task.stride, squared);
+        to = keep(other, x[m + 1], to, task.stride, squared);
+      }
+      if (m < task.dimension)
+      {
+        L last;
+        readColumn(y, m, last);
+        to = keep(last, x[m], to, task.stride, squared);
       }
       store(squared, to);
     }

@@ -8,7 +8,7 @@
 #ifndef remesh_FacetLanes_h
 #define remesh_FacetLanes_h
 
-#include "Support/Lanes.h"
+#include "Support/LaneColumns.h"
 #include "Voronoi/FacetBatch.h"
 
 #include <limits>
@@ -61,12 +61,12 @@ struct FacetLanes
       load(batch.edge2[k], edge2[k]);
       squared[k] = L{};
     }
-    for (int m = 0; m < d; ++m)
+    readColumns(batch.sites[0], d, from);
+    for (int k = 0; k < 3; ++k)
     {
-      readColumn(batch.sites[0], m, from[m]);
-      for (int k = 0; k < 3; ++k)
+      readColumns(batch.corners[k], d, at[k]);
+      for (int m = 0; m < d; ++m)
       {
-        readColumn(batch.corners[k], m, at[k][m]);
         at[k][m] -= from[m];
         squared[k] += at[k][m] * at[k][m];
       }
@@ -78,9 +78,9 @@ struct FacetLanes
   {
     L length2{};
     L along[3] = {};
+    readColumns(batch.sites[other], d, offsets);
     for (int m = 0; m < d; ++m)
     {
-      readColumn(batch.sites[other], m, offsets[m]);
       offsets[m] -= from[m];
       length2 += offsets[m] * offsets[m];
       for (int k = 0; k < 3; ++k)
