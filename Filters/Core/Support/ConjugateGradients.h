@@ -37,70 +37,47 @@ bool solveConjugateGradients(const Matrix& matrix, const ConjugateGradientsLimit
   const RunControl& control, std::vector<Vector>& residual, VectorField& x)
 {
   using Scalar = typename Vector::Scalar;
-  const std::size_t count = x.size();
   const RunControl silent = control.silent();
-  const Blocks blocks = Blocks::cut(static_cast<Offset>(count), 64, 1 << 15);
-  std::vector<Vector> direction(count), image(count);
-  double product = 0.0;
-  if (!sumInBlocks(
-        blocks, silent,
-        [&](std::size_t i)
-        {
-          direction[i] = matrix.precondition(residual[i], i);
-          return static_cast<double>(residual[i].dot(direction[i]));
-        },
-        product))
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(x.size()), 64, 1 << 15);
+  std::vector<Vector> direction(x.size()), image(x.size());
+  double product = 0.0; // of the residual with itself, in the metric of the preconditioner
+  const auto start = [&](std::size_t i)
   {
-    return false;
-  }
+    direction[i] = matrix.precondition(residual[i], i);
+    return static_cast<double>(residual[i].dot(direction[i]));
+  };
+  const auto curve = [&](std::size_t i)
+  {
+    image[i] = matrix.row(direction, i);
+    return static_cast<double>(image[i].dot(direction[i]));
+  };
+  const auto move = [&](std::size_t i, double step)
+  {
+    x[i] += step * direction[i].template head<3>().template cast<double>();
+    residual[i] -= static_cast<Scalar>(step) * image[i];
+    image[i] = matrix.precondition(residual[i], i); // the image itself has served
+    return static_cast<double>(residual[i].dot(image[i]));
+  };
+  bool done = sumInBlocks(blocks, silent, start, product);
   const double goal = limits.reduction * limits.reduction * product;
-  for (int k = 0; k < limits.iterations && product > goal && product > 0.0; ++k)
+  for (int k = 0; done && k < limits.iterations && product > goal && product > 0.0; ++k)
   {
-    double curvature = 0.0, next = 0.0;
-    if (!sumInBlocks(
-          blocks, silent,
-          [&](std::size_t i)
-          {
-            image[i] = matrix.row(direction, i);
-            return static_cast<double>(image[i].dot(direction[i]));
-          },
-          curvature))
-    {
-      return false;
-    }
+    double curvature = 0.0;
+    done = sumInBlocks(blocks, silent, curve, curvature);
     if (!(curvature > 0.0))
     {
       break; // rounding is all that is left
     }
-    const double step = product / curvature;
-    if (!sumInBlocks(
-          blocks, silent,
-          [&](std::size_t i)
-          {
-            x[i] += step * direction[i].template head<3>().template cast<double>();
-            residual[i] -= static_cast<Scalar>(step) * image[i];
-            image[i] = matrix.precondition(residual[i], i); // the image itself has served
-            return static_cast<double>(residual[i].dot(image[i]));
-          },
-          next))
-    {
-      return false;
-    }
-    const auto turn = static_cast<Scalar>(next / product);
-    product = next;
-    if (!forEachRange(blocks, silent,
-          [&](Offset begin, Offset end)
-          {
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            {
-              direction[i] = image[i] + turn * direction[i];
-            }
-          }))
-    {
-      return false;
-    }
+    const double before = product;
+    const double step = before / curvature;
+    done = done &&
+      sumInBlocks(
+        blocks, silent, [&](std::size_t i) { return move(i, step); }, product);
+    const auto turn = static_cast<Scalar>(product / before);
+    done = done &&
+      forEachItem(blocks, silent, [&](Offset i) { direction[i] = image[i] + turn * direction[i]; });
   }
-  return true;
+  return done;
 }
 }
 

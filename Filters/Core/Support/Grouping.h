@@ -47,14 +47,7 @@ std::vector<Offset> scanAcrossBlocks(std::vector<Offset>& counts, std::size_t ke
 template <class Body>
 [[nodiscard]] bool forEachItem(Offset count, const RunControl& control, const Body& body)
 {
-  return forEachRange(longBlocks(count), control,
-    [&](Offset begin, Offset end)
-    {
-      for (Offset item = begin; item < end; ++item)
-      {
-        body(item);
-      }
-    });
+  return forEachItem(longBlocks(count), control, body);
 }
 
 /** How many items of [0, count) fulfil `holds(item)`; -1 when cancelled. */

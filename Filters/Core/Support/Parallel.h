@@ -48,6 +48,20 @@ struct Blocks
 [[nodiscard]] bool forEachRange(
   const Blocks& blocks, const RunControl& control, const std::function<void(Offset, Offset)>& body);
 
+/** As above, item by item. */
+template <class Body>
+[[nodiscard]] bool forEachItem(const Blocks& blocks, const RunControl& control, const Body& body)
+{
+  return forEachRange(blocks, control,
+    [&](Offset begin, Offset end)
+    {
+      for (Offset item = begin; item < end; ++item)
+      {
+        body(item);
+      }
+    });
+}
+
 /** `term(i)` summed over [0, size) in the order of the blocks; stops early when cancelled. */
 template <class Term>
 [[nodiscard]] bool sumInBlocks(
