@@ -99,6 +99,13 @@ void numberPlace(
   }
 }
 
+/** The point at a vertex. */
+DiagramPoint pointAt(const VertexPlaces& places, Offset piece, Offset vertex)
+{
+  const auto [b0, b1, b2] = places.at(piece, vertex);
+  return { places.diagram.facets[piece], { b0, b1, b2 } };
+}
+
 /** Steps 2 and 3 for places [0, count), whose vertices are collected by `collect(place, keys)`. */
 template <class Collect>
 bool numberPlaces(const VertexPlaces& places, Index count, const RunControl& control,
@@ -106,23 +113,22 @@ bool numberPlaces(const VertexPlaces& places, Index count, const RunControl& con
 {
   const Blocks blocks = Blocks::cut(count, 256, 1 << 16);
   std::vector<std::vector<VertexKey>> firsts(static_cast<std::size_t>(blocks.count()));
-  const auto forEachPlace = [&](Offset block, const auto& visit)
+  const auto forEachPlace = [&](const auto& visit)
   {
-    std::vector<VertexKey> keys;
-    for (Offset place = blocks.begin(block); place < blocks.end(block); ++place)
-    {
-      keys.clear();
-      collect(static_cast<Index>(place), keys);
-      visit(keys);
-    }
-  };
-  if (!forEachBlock(blocks.count(), control,
-        [&](Offset block)
+    return forEachBlock(blocks.count(), control,
+      [&](Offset block)
+      {
+        std::vector<VertexKey> keys;
+        for (Offset place = blocks.begin(block); place < blocks.end(block); ++place)
         {
-          forEachPlace(block,
-            [&](std::vector<VertexKey>& keys)
-            { numberPlace(keys, result.ofVertex, firsts[block]); });
-        }))
+          keys.clear();
+          collect(static_cast<Index>(place), keys);
+          visit(block, keys);
+        }
+      });
+  };
+  if (!forEachPlace([&](Offset block, std::vector<VertexKey>& keys)
+        { numberPlace(keys, result.ofVertex, firsts[block]); }))
   {
     return false;
   }
@@ -131,25 +137,20 @@ bool numberPlaces(const VertexPlaces& places, Index count, const RunControl& con
     [](const std::vector<VertexKey>& points) { return static_cast<Offset>(points.size()); });
   const auto before = static_cast<Offset>(result.points.size());
   result.points.resize(static_cast<std::size_t>(before + scanCounts(begins)));
-  return forEachBlock(blocks.count(), control,
-    [&](Offset block)
+  const auto addBegin = [&](Offset block, const std::vector<VertexKey>& keys)
+  {
+    for (const VertexKey& key : keys)
     {
-      const Offset begin = before + begins[block];
-      forEachPlace(block,
-        [&](const std::vector<VertexKey>& keys)
-        {
-          for (const VertexKey& key : keys)
-          {
-            result.ofVertex[key.vertex] += begin;
-          }
-        });
-      auto point = result.points.begin() + begin;
-      for (const VertexKey& first : firsts[block])
-      {
-        const auto [b0, b1, b2] = places.at(first.piece, first.vertex);
-        *point++ = { places.diagram.facets[first.piece], { b0, b1, b2 } };
-      }
-    });
+      result.ofVertex[key.vertex] += before + begins[block];
+    }
+  };
+  const auto writePoints = [&](Offset block)
+  {
+    std::transform(firsts[block].begin(), firsts[block].end(),
+      result.points.begin() + before + begins[block],
+      [&](const VertexKey& first) { return pointAt(places, first.piece, first.vertex); });
+  };
+  return forEachPlace(addBegin) && forEachBlock(blocks.count(), control, writePoints);
 }
 
 /** Step 1. */
@@ -187,8 +188,7 @@ bool numberCorners(const SurfaceMesh& mesh, const VertexPlaces& places, const Ru
           {
             if (firsts[corner] == v)
             {
-              const auto [b0, b1, b2] = places.at(piece, v);
-              result.points[corner] = { static_cast<Index>(facet), { b0, b1, b2 } };
+              result.points[corner] = pointAt(places, piece, v);
             }
           });
       });

@@ -48,6 +48,21 @@ std::vector<Index> allOf(const Sites& sites)
   return all;
 }
 
+/** The coordinates of some sites as SiteDistances wants them; far away where a group has none. */
+std::vector<double> packGroups(const Sites& sites, const std::vector<Index>& some, int groups)
+{
+  const auto d = static_cast<std::size_t>(sites.dimension);
+  std::vector<double> coordinates(groups * lanes * d, std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < some.size(); ++k)
+  {
+    for (std::size_t m = 0; m < d; ++m)
+    {
+      coordinates[(k / lanes * d + m) * lanes + k % lanes] = sites.site(some[k])[m];
+    }
+  }
+  return coordinates;
+}
+
 /** Order by rank: no branch to foresee, and several comparisons at once. */
 void orderByDistance(std::vector<Neighbor>& found)
 {
@@ -111,34 +126,23 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
 
 Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl& control)
 {
-  const bool measured = forEachRange(blocksOf(sites), control,
-    [&](Offset begin, Offset end)
+  const bool measured = forEachItem(blocksOf(sites), control,
+    [&](Offset k)
     {
-      for (Offset k = begin; k < end; ++k)
-      {
-        const auto site = static_cast<Index>(k);
-        m_displacements[k] = aboveRounding *
-          std::sqrt(
-            squaredDistance<Eigen::Dynamic>(sites.site(site), m_built.site(site), sites.dimension));
-      }
+      const auto site = static_cast<Index>(k);
+      m_displacements[k] = aboveRounding *
+        std::sqrt(
+          squaredDistance<Eigen::Dynamic>(sites.site(site), m_built.site(site), sites.dimension));
     });
   m_largestDisplacement = *std::max_element(m_displacements.begin(), m_displacements.end());
   m_usualDisplacement = m_largestDisplacement;
   std::fill(m_leapers.begin(), m_leapers.end(), std::numeric_limits<float>::infinity());
   const bool compared = measured &&
-    forEachRange(blocksOf(sites), control,
-      [&](Offset begin, Offset end)
+    forEachItem(blocksOf(sites), control,
+      [&](Offset k)
       {
-        for (Offset k = begin; k < end; ++k)
-        {
-          const NeighborList neighbors = this->list(static_cast<Index>(k));
-          double largest = 0.0;
-          for (Index entry = 0; entry < neighbors.count; ++entry)
-          {
-            largest = std::max(largest, m_displacements[neighbors.sites[entry]]);
-          }
-          m_approaches[k] = m_displacements[k] + largest;
-        }
+        m_approaches[k] =
+          m_displacements[k] + this->list(static_cast<Index>(k)).largestOf(m_displacements);
       });
   return compared ? Status::success() : Status::cancelled();
 }
@@ -165,16 +169,8 @@ bool NeighborLists::measureLeapers(
   const Sites& sites, const std::vector<Index>& leapers, const RunControl& control)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto d = static_cast<std::size_t>(sites.dimension);
   const auto groups = static_cast<int>((leapers.size() + lanes - 1) / lanes);
-  std::vector<double> coordinates(groups * lanes * d, infinity); // far away where there is none
-  for (std::size_t k = 0; k < leapers.size(); ++k)
-  {
-    for (std::size_t m = 0; m < d; ++m)
-    {
-      coordinates[(k / lanes * d + m) * lanes + k % lanes] = sites.site(leapers[k])[m];
-    }
-  }
+  const std::vector<double> coordinates = packGroups(sites, leapers, groups);
   std::vector<char> isLeaper(static_cast<std::size_t>(sites.count()), 0);
   for (const Index leaper : leapers)
   {

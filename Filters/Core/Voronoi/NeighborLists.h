@@ -32,6 +32,17 @@ struct NeighborList
   const Index* sites;
   const float* distances; ///< increasing; rounded down, and never above
   Index count;
+
+  /** The largest of these sites' numbers, and 0. @param numbers n, of all sites. */
+  double largestOf(const std::vector<double>& numbers) const
+  {
+    double largest = 0.0;
+    for (Index entry = 0; entry < this->count; ++entry)
+    {
+      largest = std::max(largest, numbers[this->sites[entry]]);
+    }
+    return largest;
+  }
 };
 
 /** The lists of all sites, or of some, shared by all threads and read only. */

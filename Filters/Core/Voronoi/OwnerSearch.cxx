@@ -91,7 +91,7 @@ bool OwnerSearch<D>::findNearerPacked(const double* point, Index owner, Nearer& 
     return false;
   }
   const NeighborList list = m_lists.list(owner);
-  Index count = 0;
+  Index count = 0; // of whole lanes
   while (count < list.count && list.distances[count] <= farthest)
   {
     count += lanes;

@@ -95,6 +95,17 @@ int orient3d(const FacetSite& i, const FacetSite& j, const FacetSite& m, const F
   return sum.sign();
 }
 
+/** The orientation of b - a against the direction (1, 1): a difference of differences. */
+int orientDiagonally(const Plane& a, const Plane& b)
+{
+  Expansion sum;
+  sum.add(b[1]);
+  sum.add(-b[0]);
+  sum.add(-a[1]);
+  sum.add(a[0]);
+  return sum.sign();
+}
+
 /**
  * Sign of (1,1,1) . ((b - a) x (c - a)): how the determinant above grows with a common shift of
  * the fourth site, and the orientation in which the three cells meet.
@@ -133,23 +144,13 @@ bool beatsOnEdge(const FacetSite& q, const FacetSite& i, const FacetSite& j, int
   int sign = orient2d(pi, pj, pq, decisions);
   if (sign == 0 && decisions == Decisions::Exact)
   {
-    // Differences of differences, as orientations against the diagonal direction (1, 1).
-    const auto along = [](const Plane& a, const Plane& b)
-    {
-      Expansion sum;
-      sum.add(b[1]);
-      sum.add(-b[0]);
-      sum.add(-a[1]);
-      sum.add(a[0]);
-      return sum.sign();
-    };
     struct Factor
     {
       Index id;
       int sign;
     };
-    std::array<Factor, 3> factors{ { { q.id, direction }, { j.id, along(pi, pq) },
-      { i.id, along(pq, pj) } } };
+    std::array<Factor, 3> factors{ { { q.id, direction }, { j.id, orientDiagonally(pi, pq) },
+      { i.id, orientDiagonally(pq, pj) } } };
     std::sort(
       factors.begin(), factors.end(), [](const Factor& a, const Factor& b) { return a.id > b.id; });
     for (const Factor& factor : factors)

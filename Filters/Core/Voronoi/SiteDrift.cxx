@@ -30,6 +30,19 @@ double firstRadius(Index site, const NeighborLists& lists)
 }
 }
 
+/** From where they were at the last update. */
+bool SiteDrift::measureMoves(const Sites& sites, const RunControl& control)
+{
+  return forEachItem(blocksOf(sites), control,
+    [&](Offset k)
+    {
+      const auto site = static_cast<Index>(k);
+      const double squared =
+        squaredDistance<Eigen::Dynamic>(sites.site(site), m_last.site(site), sites.dimension);
+      m_moves[k] = aboveRounding * std::sqrt(squared);
+    });
+}
+
 Status SiteDrift::update(const Sites& sites, const NeighborLists& lists, const RunControl& control)
 {
   const auto n = static_cast<std::size_t>(sites.count());
@@ -39,40 +52,20 @@ Status SiteDrift::update(const Sites& sites, const NeighborLists& lists, const R
     m_moves.assign(n, 0.0);
     m_last = sites;
   }
-  bool done = forEachRange(blocksOf(sites), control.silent(),
-    [&](Offset begin, Offset end)
-    {
-      for (Offset k = begin; k < end; ++k)
+  const bool done = this->measureMoves(sites, control.silent()) &&
+    forEachItem(blocksOf(sites), control.silent(),
+      [&](Offset k)
       {
         const auto site = static_cast<Index>(k);
-        const double squared =
-          squaredDistance<Eigen::Dynamic>(sites.site(site), m_last.site(site), sites.dimension);
-        m_moves[k] = aboveRounding * std::sqrt(squared);
-      }
-    });
-  done = done &&
-    forEachRange(blocksOf(sites), control.silent(),
-      [&](Offset begin, Offset end)
-      {
-        for (Offset k = begin; k < end; ++k)
+        Place& place = m_places[k];
+        place.drift += m_moves[k] + lists.list(site).largestOf(m_moves);
+        place.radius += m_moves[k];
+        // Others are at least 3 radii away, and so 2 from each point: they lead by 1.
+        double farthest = 0.0;
+        if (place.radius == 0.0 || !lists.holds(site, 3.0 * place.radius, farthest))
         {
-          const auto site = static_cast<Index>(k);
-          const NeighborList list = lists.list(site);
-          double largest = 0.0;
-          for (Index entry = 0; entry < list.count; ++entry)
-          {
-            largest = std::max(largest, m_moves[list.sites[entry]]);
-          }
-          Place& place = m_places[k];
-          place.drift += m_moves[k] + largest;
-          place.radius += m_moves[k];
-          // Others are at least 3 radii away, and so 2 from each point: they lead by 1.
-          double farthest = 0.0;
-          if (place.radius == 0.0 || !lists.holds(site, 3.0 * place.radius, farthest))
-          {
-            place.drift += place.radius; // more than any lead
-            place.radius = firstRadius(site, lists);
-          }
+          place.drift += place.radius; // more than any lead
+          place.radius = firstRadius(site, lists);
         }
       });
   if (!done)

@@ -34,6 +34,8 @@ private:
     double radius = 0.0;
   };
 
+  bool measureMoves(const Sites& sites, const RunControl& control);
+
   Sites m_last;
   std::vector<double> m_moves; ///< n, of the last update
   std::vector<Place> m_places; ///< n
