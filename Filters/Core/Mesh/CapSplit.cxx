@@ -26,17 +26,8 @@ public:
 
   void run(const RunControl& control)
   {
-    std::deque<Index> caps;
-    std::vector<char> isCorner(m_draft.points.size(), 0);
-    for (std::size_t f = 0; f < m_draft.facets.size(); ++f)
-    {
-      const auto& [a, b, c] = m_draft.facets[f];
-      if (m_marked[f] && a != b && b != c && c != a)
-      {
-        caps.push_back(static_cast<Index>(f));
-        isCorner[a] = isCorner[b] = isCorner[c] = 1;
-      }
-    }
+    std::vector<char> isCorner;
+    std::deque<Index> caps = this->findCaps(isCorner);
     if (caps.empty())
     {
       return;
@@ -67,6 +58,23 @@ public:
   }
 
 private:
+  /** Marked facets with three corners, and which points these are. */
+  std::deque<Index> findCaps(std::vector<char>& isCorner) const
+  {
+    std::deque<Index> caps;
+    isCorner.assign(m_draft.points.size(), 0);
+    for (std::size_t f = 0; f < m_draft.facets.size(); ++f)
+    {
+      const auto& [a, b, c] = m_draft.facets[f];
+      if (m_marked[f] && a != b && b != c && c != a)
+      {
+        caps.push_back(static_cast<Index>(f));
+        isCorner[a] = isCorner[b] = isCorner[c] = 1;
+      }
+    }
+    return caps;
+  }
+
   static std::uint64_t keyOf(Index a, Index b)
   {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32U |

@@ -90,18 +90,26 @@ Duplicates findDuplicates(const std::vector<Triple>& facetPoints, const RunContr
   return done ? duplicates : Duplicates{ none, none };
 }
 
-std::vector<unsigned char> findFlaps(const std::vector<Triple>& facetPoints,
-  const std::vector<unsigned char>& folded, const RunControl& control)
+namespace
 {
-  std::vector<unsigned char> flaps(facetPoints.size(), 0);
-  if (std::find(folded.begin(), folded.end(), 1) == folded.end())
+/** Folded facets that hang together, and how each meets others. */
+struct FoldedParts
+{
+  DisjointSets sets;
+  std::vector<unsigned char> hangs;     ///< on an edge with several others
+  std::vector<unsigned char> continues; ///< an edge of one other
+
+  explicit FoldedParts(std::size_t facets)
+    : sets(facets)
+    , hangs(facets, 0)
+    , continues(facets, 0)
   {
-    return flaps;
   }
-  const EdgeTable edges = buildEdgeTable(facetPoints, control);
-  DisjointSets parts(facetPoints.size());
-  std::vector<unsigned char> hangs(facetPoints.size(), 0);
-  std::vector<unsigned char> continues(facetPoints.size(), 0);
+};
+
+FoldedParts joinFolded(const EdgeTable& edges, const std::vector<unsigned char>& folded)
+{
+  FoldedParts parts(folded.size());
   for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
   {
     const auto begin = edges.edgeFacets.begin() + edges.edgeFacetsBegin[edge];
@@ -113,27 +121,41 @@ std::vector<unsigned char> findFlaps(const std::vector<Triple>& facetPoints,
     {
       if (folded[*facet])
       {
-        parts.unite(*first, *facet);
-        hangs[*facet] |= others > 1;
-        continues[*facet] |= others == 1;
+        parts.sets.unite(*first, *facet);
+        parts.hangs[*facet] |= others > 1;
+        parts.continues[*facet] |= others == 1;
       }
     }
   }
+  return parts;
+}
+}
+
+std::vector<unsigned char> findFlaps(const std::vector<Triple>& facetPoints,
+  const std::vector<unsigned char>& folded, const RunControl& control)
+{
+  std::vector<unsigned char> flaps(facetPoints.size(), 0);
+  if (std::find(folded.begin(), folded.end(), 1) == folded.end())
+  {
+    return flaps;
+  }
+  FoldedParts parts = joinFolded(buildEdgeTable(facetPoints, control), folded);
+  const auto partOf = [&](std::size_t f) { return parts.sets.find(static_cast<Index>(f)); };
   std::vector<unsigned char> goes(facetPoints.size(), 0);
   for (std::size_t f = 0; f < folded.size(); ++f)
   {
-    goes[parts.find(static_cast<Index>(f))] |= hangs[f];
+    goes[partOf(f)] |= parts.hangs[f];
   }
   for (std::size_t f = 0; f < folded.size(); ++f)
   {
-    if (continues[f])
+    if (parts.continues[f])
     {
-      goes[parts.find(static_cast<Index>(f))] = 0;
+      goes[partOf(f)] = 0;
     }
   }
   for (std::size_t f = 0; f < folded.size(); ++f)
   {
-    flaps[f] = folded[f] && goes[parts.find(static_cast<Index>(f))];
+    flaps[f] = folded[f] && goes[partOf(f)];
   }
   return flaps;
 }

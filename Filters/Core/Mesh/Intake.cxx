@@ -41,6 +41,29 @@ namespace
 {
 constexpr double shortSide = 1e-6; // of the longest one of a facet, if it may be but rounding
 
+/** Calls `visit(a, b)` for the ends of sides of a triangle that are shorter than `least` and short.
+ */
+template <class Visit>
+void visitShortSides(
+  const std::vector<Point3>& points, const Triple& triangle, double least, const Visit& visit)
+{
+  std::array<double, 3> lengths{};
+  for (int k = 0; k < 3; ++k)
+  {
+    lengths[k] = (points[triangle[k]] - points[triangle[(k + 1) % 3]]).norm();
+  }
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index a = triangle[k];
+    const Index b = triangle[(k + 1) % 3];
+    if (a != b && lengths[k] < std::min(least, shortSide * longest))
+    {
+      visit(a, b);
+    }
+  }
+}
+
 /**
  * Makes the ends of sides that are nothing but rounding one point, the lowest. They are also short
  * against their facets, lest a part that is small against the distance to another one goes.
@@ -48,29 +71,13 @@ constexpr double shortSide = 1e-6; // of the longest one of a facet, if it may b
 bool mergeShortSides(const Draft& draft, const RunControl& control, std::vector<Index>& lowest)
 {
   const double least = roundingOfPoints(draft.points);
-  const auto count = static_cast<Offset>(draft.facets.size());
-  const auto sideOf = [&](Offset f, int k)
-  { return std::pair(lowest[draft.facets[f][k]], lowest[draft.facets[f][(k + 1) % 3]]); };
   const auto forEachShortSide = [&](const auto& visit)
   {
-    return forEachItem(count, control,
+    return forEachItem(static_cast<Offset>(draft.facets.size()), control,
       [&](Offset f)
       {
-        std::array<double, 3> lengths{};
-        for (int k = 0; k < 3; ++k)
-        {
-          const auto [a, b] = sideOf(f, k);
-          lengths[k] = (draft.points[a] - draft.points[b]).norm();
-        }
-        const double longest = *std::max_element(lengths.begin(), lengths.end());
-        for (int k = 0; k < 3; ++k)
-        {
-          const auto [a, b] = sideOf(f, k);
-          if (a != b && lengths[k] < std::min(least, shortSide * longest))
-          {
-            visit(a, b);
-          }
-        }
+        const auto& [a, b, c] = draft.facets[f];
+        visitShortSides(draft.points, { lowest[a], lowest[b], lowest[c] }, least, visit);
       });
   };
   std::atomic<bool> isAny = false;
@@ -242,25 +249,39 @@ std::vector<Index> orderFacets(const Draft& draft, const RunControl& control)
   return done ? orderAlongHilbertCurve(centroids, control) : std::vector<Index>(centroids.size());
 }
 
-bool writeFacets(const TriangleSoup& soup, const Draft& draft, const Orientation& orientation,
-  const std::vector<Index>& order, const RunControl& control, std::vector<Triple>& facets,
-  std::vector<std::array<Offset, 3>>& inputs, SurfaceMesh& mesh)
+/** The mesh's facets, with the draft's points, and where they come from. */
+struct WrittenFacets
 {
-  facets.resize(order.size());
-  inputs.resize(order.size());
-  mesh.facetInputCells.resize(order.size());
+  std::vector<Triple> points;
+  std::vector<std::array<Offset, 3>> inputPoints;
+  std::vector<Offset> inputCells;
+};
+
+/** Writes the facets in their order. @param flipped of the draft's facets. */
+bool writeFacets(const TriangleSoup& soup, const Draft& draft,
+  const std::vector<unsigned char>& flipped, const RunControl& control, WrittenFacets& facets)
+{
+  const std::vector<Index> order = orderFacets(draft, control);
+  if (control.cancelled())
+  {
+    return false; // the order may be none
+  }
+  facets.points.resize(order.size());
+  facets.inputPoints.resize(order.size());
+  facets.inputCells.resize(order.size());
   return forEachItem(static_cast<Offset>(order.size()), control,
     [&](Offset f)
     {
       const Index source = order[f];
       const Index triangle = draft.facetTriangles[source];
-      facets[f] = draft.facets[source];
-      mesh.facetInputCells[f] = soup.inputCells[triangle];
-      inputs[f] = draft.facetInputs.empty() ? soup.triangles[triangle] : draft.facetInputs[source];
-      if (orientation.flipped[source])
+      facets.points[f] = draft.facets[source];
+      facets.inputCells[f] = soup.inputCells[triangle];
+      facets.inputPoints[f] =
+        draft.facetInputs.empty() ? soup.triangles[triangle] : draft.facetInputs[source];
+      if (flipped[source])
       {
-        std::swap(facets[f][1], facets[f][2]);
-        std::swap(inputs[f][1], inputs[f][2]);
+        std::swap(facets.points[f][1], facets.points[f][2]);
+        std::swap(facets.inputPoints[f][1], facets.inputPoints[f][2]);
       }
     });
 }
@@ -340,20 +361,19 @@ Status takeIn(const TriangleSoup& soup, const IntakeOptions& options, const RunC
     return Status::cancelled();
   }
   const RunControl silent = control.silent();
-  const std::vector<Index> order = orderFacets(draft, silent);
-  std::vector<Triple> facets;
-  std::vector<std::array<Offset, 3>> inputs;
-  const bool numbered = !control.cancelled() &&
-    writeFacets(soup, draft, orientation, order, silent, facets, inputs, mesh) &&
-    numberPoints(draft, silent, facets, mesh);
-  mesh.facetPoints = std::move(facets);
+  WrittenFacets facets;
+  const bool numbered = writeFacets(soup, draft, orientation.flipped, silent, facets) &&
+    numberPoints(draft, silent, facets.points, mesh);
+  mesh.facetInputCells = std::move(facets.inputCells);
+  mesh.facetPoints = std::move(facets.points);
   mesh.facetCorners = mesh.facetPoints;
   if (!numbered || !countComponents(mesh, silent, report.components))
   {
     mesh = SurfaceMesh();
     return Status::cancelled();
   }
-  mesh.facetInputPoints = { mesh.facetPoints, mesh.numberOfPoints(), std::move(inputs) };
+  mesh.facetInputPoints = { mesh.facetPoints, mesh.numberOfPoints(),
+    std::move(facets.inputPoints) };
   control.report(1.0);
   return Status::success();
 }

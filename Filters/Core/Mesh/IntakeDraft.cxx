@@ -45,13 +45,14 @@ Status checkTriangles(const TriangleSoup& soup, const RunControl& control)
     numberOfPoints, " points."));
 }
 
-/** Numbers the used points and writes the facets with these numbers. */
-Status collectUsedPoints(const TriangleSoup& soup, const RunControl& control, Draft& draft)
+/** Copies the used points; `local` gets their numbers. */
+Status copyUsedPoints(
+  const TriangleSoup& soup, const RunControl& control, Draft& draft, std::vector<Index>& local)
 {
   const RunControl silent = control.silent();
   const auto count = static_cast<Offset>(soup.triangles.size());
   std::vector<std::atomic<bool>> used(soup.points.size());
-  std::vector<Index> local(soup.points.size(), noIndex);
+  local.assign(soup.points.size(), noIndex);
   bool fits = true;
   const bool done = forEachItem(count, silent,
                       [&](Offset t)
@@ -80,13 +81,21 @@ Status collectUsedPoints(const TriangleSoup& soup, const RunControl& control, Dr
   {
     return Status::cancelled();
   }
-  if (!fits)
+  return fits ? Status::success()
+              : Status::invalid(sentence("The surface has more than ", maximumIndex, " points."));
+}
+
+/** Numbers the used points and writes the facets with these numbers. */
+Status collectUsedPoints(const TriangleSoup& soup, const RunControl& control, Draft& draft)
+{
+  std::vector<Index> local;
+  if (Status status = copyUsedPoints(soup, control, draft, local); !status.ok())
   {
-    return Status::invalid(sentence("The surface has more than ", maximumIndex, " points."));
+    return status;
   }
   draft.facets.resize(soup.triangles.size());
   draft.facetTriangles.resize(soup.triangles.size());
-  return forEachItem(count, silent,
+  return forEachItem(static_cast<Offset>(soup.triangles.size()), control.silent(),
            [&](Offset t)
            {
              const auto& triangle = soup.triangles[t];

@@ -83,6 +83,27 @@ FacetShare facetShare(const SurfaceMesh& mesh, std::size_t facet)
       std::atan2(doubleArea, -ca.dot(bc)) } };
 }
 
+/** Gives corners whose sum has no direction the normal of their first facet. Uses up the angles. */
+void replaceLost(const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrowed,
+  std::vector<double>& angleSums, std::vector<Point3>& normals)
+{
+  // Backwards, so that the first facet has the last word.
+  for (std::size_t f = mesh.facetCorners.size(); f-- > 0;)
+  {
+    for (const Index corner : mesh.facetCorners[f])
+    {
+      if (angleSums[corner] >= 0.0 && !(normals[corner].norm() > leastLength * angleSums[corner]))
+      {
+        angleSums[corner] = -1.0;
+      }
+      if (angleSums[corner] < 0.0)
+      {
+        normals[corner] = normalOf(mesh, borrowed, f);
+      }
+    }
+  }
+}
+
 std::vector<Point3> angleWeightedNormals(
   const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrowed)
 {
@@ -104,21 +125,7 @@ std::vector<Point3> angleWeightedNormals(
       angleSums[corner] += share.angles[k];
     }
   }
-  // Backwards, so that the first facet of a corner without direction has the last word.
-  for (std::size_t f = mesh.facetCorners.size(); f-- > 0;)
-  {
-    for (const Index corner : mesh.facetCorners[f])
-    {
-      if (angleSums[corner] >= 0.0 && !(normals[corner].norm() > leastLength * angleSums[corner]))
-      {
-        angleSums[corner] = -1.0;
-      }
-      if (angleSums[corner] < 0.0)
-      {
-        normals[corner] = normalOf(mesh, borrowed, f);
-      }
-    }
-  }
+  replaceLost(mesh, borrowed, angleSums, normals);
   for (Point3& normal : normals)
   {
     normal.stableNormalize();

@@ -14,15 +14,14 @@ namespace
 {
 constexpr int laneBits = 3;
 static_assert(1 << laneBits == lanes);
-}
 
-TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
-  : m_surface(surface)
+/** Those with an area, along a Hilbert curve; none when cancelled. */
+std::vector<Index> orderTriangles(const Triangles& surface, const RunControl& control)
 {
   std::vector<Index> kept;
   std::vector<Point3> centroids;
   if (!packItems(
-        surface.count(), control.silent(),
+        surface.count(), control,
         [&](Offset t)
         {
           const auto [a, b, c] = surface.corners(t);
@@ -41,13 +40,20 @@ TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
         }) ||
     kept.empty())
   {
-    return;
+    return {};
   }
-  const std::vector<Index> order = orderAlongHilbertCurve(centroids, control.silent());
-  centroids = std::vector<Point3>(); // makes room for the boxes
-  m_ids.resize(kept.size());
-  if (!forEachItem(static_cast<Offset>(kept.size()), control.silent(),
-        [&](Offset slot) { m_ids[slot] = kept[order[slot]]; }))
+  std::vector<Index> order = orderAlongHilbertCurve(centroids, control);
+  const bool done = forEachItem(static_cast<Offset>(kept.size()), control,
+    [&](Offset slot) { order[slot] = kept[order[slot]]; });
+  return done ? order : std::vector<Index>();
+}
+}
+
+TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
+  : m_surface(surface)
+  , m_ids(orderTriangles(surface, control.silent()))
+{
+  if (m_ids.empty())
   {
     return;
   }

@@ -80,6 +80,24 @@ struct PointGrid
   bool cellsAreNear = true; ///< all points of a cell are nearer than the distance
 };
 
+/** Each point after its cell, cell by cell. */
+std::vector<std::pair<GridCell, Index>> sortIntoCells(
+  const std::vector<Point3>& points, const Point3& lower, double side)
+{
+  std::vector<std::pair<GridCell, Index>> items(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Point3 position = (points[i] - lower) / side;
+    for (int k = 0; k < 3; ++k)
+    {
+      items[i].first[k] = static_cast<std::int64_t>(position[k]);
+    }
+    items[i].second = static_cast<Index>(i);
+  }
+  std::sort(items.begin(), items.end());
+  return items;
+}
+
 PointGrid buildPointGrid(const std::vector<Point3>& points, double distance)
 {
   Point3 lower = points.front();
@@ -95,18 +113,7 @@ PointGrid buildPointGrid(const std::vector<Point3>& points, double distance)
   const double least = (upper - lower).maxCoeff() * 0x1.0p-50;
   const double side = std::max(wanted, least);
 
-  std::vector<std::pair<GridCell, Index>> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const Point3 position = (points[i] - lower) / side;
-    for (int k = 0; k < 3; ++k)
-    {
-      items[i].first[k] = static_cast<std::int64_t>(position[k]);
-    }
-    items[i].second = static_cast<Index>(i);
-  }
-  std::sort(items.begin(), items.end());
-
+  const std::vector<std::pair<GridCell, Index>> items = sortIntoCells(points, lower, side);
   PointGrid grid;
   grid.cellsAreNear = wanted >= least;
   grid.points.reserve(items.size());
@@ -211,6 +218,30 @@ bool joinRow(CellJoiner& joiner, const GridCell& firstOffset, const RunControl& 
   }
   return true;
 }
+
+/** Joins all pairs nearer than the distance. False if cancelled. */
+bool joinNear(
+  const std::vector<Point3>& points, double distance, const RunControl& control, DisjointSets& sets)
+{
+  const PointGrid grid = buildPointGrid(points, distance);
+  CellJoiner joiner{ points, grid, distance * distance, sets };
+  for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
+  {
+    joiner.joinWithin(cell);
+  }
+  for (std::int64_t dx = 0; dx <= reach; ++dx)
+  {
+    for (std::int64_t dy = dx == 0 ? 0 : -reach; dy <= reach; ++dy)
+    {
+      const std::int64_t firstDz = dx == 0 && dy == 0 ? 1 : -reach;
+      if (!joinRow(joiner, { dx, dy, firstDz }, control))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
 }
 
 std::vector<Index> weldEqualPoints(const std::vector<Point3>& points, const RunControl& control)
@@ -262,23 +293,10 @@ std::vector<Index> weldNearPoints(
   {
     return lowest;
   }
-  const PointGrid grid = buildPointGrid(distinctPoints, distance);
   DisjointSets sets(distinctPoints.size());
-  CellJoiner joiner{ distinctPoints, grid, distance * distance, sets };
-  for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
+  if (!joinNear(distinctPoints, distance, control, sets))
   {
-    joiner.joinWithin(cell);
-  }
-  for (std::int64_t dx = 0; dx <= reach; ++dx)
-  {
-    for (std::int64_t dy = dx == 0 ? 0 : -reach; dy <= reach; ++dy)
-    {
-      const std::int64_t firstDz = dx == 0 && dy == 0 ? 1 : -reach;
-      if (!joinRow(joiner, { dx, dy, firstDz }, control))
-      {
-        return lowest;
-      }
-    }
+    return lowest;
   }
   // `distinct` ascends, so the lowest of a set is the lowest of its input points.
   for (std::size_t i = 0; i < distinct.size(); ++i)
