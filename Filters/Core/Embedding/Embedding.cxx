@@ -31,22 +31,18 @@ FacetConstants measureFacet(int d, const std::array<const double*, 3>& p)
   return constants;
 }
 
-/**
- * About the middle of the coordinates' ranges, and the power of two not less than the largest
- * distance from there. The centre lies on a coarse grid, so that centring loses no more bits than
- * it must (see roundToCaller).
- */
-Status findFrame(const CornerCoordinates& coordinates, EmbeddedSurface& surface)
+/** The least and the largest value of each coordinate. */
+Status findRanges(
+  const CornerCoordinates& coordinates, std::vector<double>& lower, std::vector<double>& upper)
 {
-  const int d = coordinates.dimension;
   std::vector<double> scratch;
   const double* first = coordinates.row(0, scratch);
-  std::vector<double> lower(first, first + d);
-  std::vector<double> upper = lower;
+  lower.assign(first, first + coordinates.dimension);
+  upper = lower;
   for (Offset c = 0; c < coordinates.count(); ++c)
   {
     const double* x = coordinates.row(static_cast<Index>(c), scratch);
-    for (int k = 0; k < d; ++k)
+    for (int k = 0; k < coordinates.dimension; ++k)
     {
       if (!std::isfinite(x[k]))
       {
@@ -57,6 +53,23 @@ Status findFrame(const CornerCoordinates& coordinates, EmbeddedSurface& surface)
       lower[k] = std::min(lower[k], x[k]);
       upper[k] = std::max(upper[k], x[k]);
     }
+  }
+  return Status::success();
+}
+
+/**
+ * About the middle of the coordinates' ranges, and the power of two not less than the largest
+ * distance from there. The centre lies on a coarse grid, so that centring loses no more bits than
+ * it must (see roundToCaller).
+ */
+Status findFrame(const CornerCoordinates& coordinates, EmbeddedSurface& surface)
+{
+  const int d = coordinates.dimension;
+  std::vector<double> lower;
+  std::vector<double> upper;
+  if (Status status = findRanges(coordinates, lower, upper); !status.ok())
+  {
+    return status;
   }
   double largest = 0.0;
   for (int k = 0; k < d; ++k)
@@ -228,12 +241,41 @@ void separatePatches(
   }
 }
 
+namespace
+{
+/** Scales the corners that the surface holds itself, and measures the facets. */
+bool measureFacets(const RunControl& control, EmbeddedSurface& surface)
+{
+  const int d = surface.dimension;
+  const Blocks held =
+    Blocks::cut(static_cast<Offset>(surface.corners.size()) / d, 1024, 65536); // corners
+  surface.constants.resize(surface.facetCorners.size());
+  const Blocks facets = Blocks::cut(surface.numberOfFacets(), 1024, 65536);
+  return forEachRange(held, control,
+           [&](Offset begin, Offset end)
+           {
+             for (Offset k = begin * d; k < end * d; ++k)
+             {
+               surface.corners[k] = surface.toScaled(surface.corners[k], static_cast<int>(k % d));
+             }
+           }) &&
+    forEachRange(facets, control,
+      [&](Offset begin, Offset end)
+      {
+        CornerReader<Eigen::Dynamic> reader(surface);
+        for (Offset f = begin; f < end; ++f)
+        {
+          surface.constants[f] = measureFacet(d, reader.facet(static_cast<Index>(f)));
+        }
+      });
+}
+}
+
 Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
   const RunControl& control, EmbeddedSurface& surface)
 {
-  const int d = coordinates.dimension;
   surface = EmbeddedSurface{};
-  surface.dimension = d;
+  surface.dimension = coordinates.dimension;
   surface.facetCorners = mesh.facetCorners;
   if (Status status = findFrame(coordinates, surface); !status.ok())
   {
@@ -247,30 +289,7 @@ Status embedSurface(const SurfaceMesh& mesh, CornerCoordinates coordinates,
   {
     surface.corners = std::move(coordinates.values);
   }
-  const Blocks held =
-    Blocks::cut(static_cast<Offset>(surface.corners.size()) / d, 1024, 65536); // corners
-  surface.constants.resize(mesh.facetPoints.size());
-  const Blocks facets = Blocks::cut(surface.numberOfFacets(), 1024, 65536);
-  const bool done = forEachRange(held, control,
-                      [&](Offset begin, Offset end)
-                      {
-                        for (Offset k = begin * d; k < end * d; ++k)
-                        {
-                          surface.corners[k] =
-                            surface.toScaled(surface.corners[k], static_cast<int>(k % d));
-                        }
-                      }) &&
-    forEachRange(facets, control,
-      [&](Offset begin, Offset end)
-      {
-        CornerReader<Eigen::Dynamic> reader(surface);
-        for (Offset f = begin; f < end; ++f)
-        {
-          const auto facet = static_cast<Index>(f);
-          surface.constants[f] = measureFacet(d, reader.facet(facet));
-        }
-      });
-  if (!done)
+  if (!measureFacets(control, surface))
   {
     return Status::cancelled();
   }

@@ -21,18 +21,12 @@ void visitValues(Surface& surface, const Visit& visit)
 }
 }
 
-EmbeddedSurface partOf(const EmbeddedSurface& surface, Offset begin, Offset end)
+namespace
+{
+/** Copies the corners whose id is not noIndex, and gives them ids in their order. */
+void copyCorners(const EmbeddedSurface& surface, std::vector<Index>& ids, EmbeddedSurface& part)
 {
   const auto d = static_cast<std::size_t>(surface.dimension);
-  std::vector<Index> ids(static_cast<std::size_t>(surface.numberOfCorners()), noIndex);
-  for (Offset facet = begin; facet < end; ++facet)
-  {
-    for (const Index corner : surface.facetCorners[facet])
-    {
-      ids[corner] = 0;
-    }
-  }
-  EmbeddedSurface part;
   Index count = 0;
   std::vector<double> row(d);
   for (std::size_t corner = 0; corner < ids.size(); ++corner)
@@ -50,6 +44,21 @@ EmbeddedSurface partOf(const EmbeddedSurface& surface, Offset begin, Offset end)
     const double* values = surface.source.isLent() ? row.data() : surface.corner(id);
     part.corners.insert(part.corners.end(), values, values + d);
   }
+}
+}
+
+EmbeddedSurface partOf(const EmbeddedSurface& surface, Offset begin, Offset end)
+{
+  std::vector<Index> ids(static_cast<std::size_t>(surface.numberOfCorners()), noIndex);
+  for (Offset facet = begin; facet < end; ++facet)
+  {
+    for (const Index corner : surface.facetCorners[facet])
+    {
+      ids[corner] = 0;
+    }
+  }
+  EmbeddedSurface part;
+  copyCorners(surface, ids, part);
   std::vector<Triple> facets(
     surface.facetCorners.begin() + begin, surface.facetCorners.begin() + end);
   for (Triple& facet : facets)

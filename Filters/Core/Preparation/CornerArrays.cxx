@@ -46,6 +46,18 @@ std::vector<std::pair<Index, Offset>> inputPointsOfCorners(const SurfaceMesh& me
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
+
+/** Columns of zeros, behind those that there are. */
+void addColumns(std::size_t corners, int count, CornerCoordinates& coordinates)
+{
+  if (coordinates.dimension > 0)
+  {
+    widenCoordinates(coordinates, count);
+    return;
+  }
+  coordinates.dimension = count;
+  coordinates.values.assign(corners * static_cast<std::size_t>(count), 0.0);
+}
 }
 
 Status appendCornerArray(const SurfaceMesh& mesh, const PointArray& array, double scale,
@@ -58,15 +70,7 @@ Status appendCornerArray(const SurfaceMesh& mesh, const PointArray& array, doubl
   const int size = array.dimension;
   const int before = coordinates.dimension;
   const auto corners = static_cast<std::size_t>(mesh.numberOfCorners());
-  if (before == 0)
-  {
-    coordinates.dimension = size;
-    coordinates.values.assign(corners * static_cast<std::size_t>(size), 0.0);
-  }
-  else
-  {
-    widenCoordinates(coordinates, size);
-  }
+  addColumns(corners, size, coordinates);
   const auto rowOf = [&](std::size_t corner)
   {
     return coordinates.values.data() + corner * static_cast<std::size_t>(coordinates.dimension) +

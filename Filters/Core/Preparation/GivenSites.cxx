@@ -15,18 +15,28 @@ namespace
 constexpr double farthestSite = 1e30;
 
 /** Row by row from the array, centred and scaled. */
-void takeEmbedding(const PointArray& embedding, const EmbeddedSurface& surface, Sites& sites)
+Status takeEmbedding(const PointArray& embedding, const EmbeddedSurface& surface, Sites& sites)
 {
-  const int d = surface.dimension;
-  for (Offset i = 0; i < sites.count(); ++i)
+  for (Index i = 0; i < sites.count(); ++i)
   {
-    double* x = sites.site(static_cast<Index>(i));
+    double* x = sites.site(i);
     embedding.read(i, x);
-    for (int c = 0; c < d; ++c)
+    for (int c = 0; c < surface.dimension; ++c)
     {
       x[c] = surface.toScaled(x[c], c);
+      if (!std::isfinite(x[c]))
+      {
+        return Status::invalid("The embedding of site " + std::to_string(i) +
+          " has a value that is not a finite number.");
+      }
+      if (std::abs(x[c]) > farthestSite)
+      {
+        return Status::invalid(
+          "The embedding of site " + std::to_string(i) + " is too far from the surface's.");
+      }
     }
   }
+  return Status::success();
 }
 
 /** Each at the closest point of the surface. */
@@ -103,20 +113,6 @@ Status placeSites(const GivenSites& given, const RunControl& control, PreparedSu
     progress.enterPhase("Sites", 0.0, 1.0);
     return projectOnSurface(placed.places, prepared, progress, placed.sites);
   }
-  takeEmbedding(*embedding, prepared.surface, placed.sites);
-  for (std::size_t k = 0; k < placed.sites.coordinates.size(); ++k)
-  {
-    if (!std::isfinite(placed.sites.coordinates[k]))
-    {
-      return Status::invalid("The embedding of site " + std::to_string(k / d) +
-        " has a value that is not a finite number.");
-    }
-    if (std::abs(placed.sites.coordinates[k]) > farthestSite)
-    {
-      return Status::invalid(
-        "The embedding of site " + std::to_string(k / d) + " is too far from the surface's.");
-    }
-  }
-  return Status::success();
+  return takeEmbedding(*embedding, prepared.surface, placed.sites);
 }
 }

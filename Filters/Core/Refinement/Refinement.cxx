@@ -68,6 +68,20 @@ RefinedSurface wholeSurface(const SurfaceMesh& mesh, const Features* features)
   return surface;
 }
 
+namespace
+{
+/** Edges that were split are several edges of their curves. */
+void traceAnew(const RunControl& control, RefinedSurface& surface)
+{
+  if (surface.features && !control.cancelled())
+  {
+    surface.features->corners.clear();
+    surface.features->curves.clear();
+    traceCurves(surface.mesh, *surface.features);
+  }
+}
+}
+
 bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
   const RunControl& control, RefinedSurface& surface)
 {
@@ -102,11 +116,9 @@ bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
     splitEdges(edges, wanted, control, surface);
     any = true;
   }
-  if (any && surface.features && !control.cancelled())
+  if (any)
   {
-    surface.features->corners.clear();
-    surface.features->curves.clear();
-    traceCurves(surface.mesh, *surface.features);
+    traceAnew(control, surface);
   }
   return any;
 }

@@ -228,32 +228,9 @@ private:
       this->subtractFrom(0, column, next);
     }
     Eigen::MatrixXd toNext = Eigen::MatrixXd::Identity(count, count);
-    for (int pass = 0; pass < 2; ++pass)
+    if (!this->orthonormalize(scale, next, toNext))
     {
-      const Eigen::MatrixXd gram = m_algebra.product(next, m_algebra.weighted(next));
-      if (!m_algebra.done()) // what was not computed is anything
-      {
-        return 0;
-      }
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-      constexpr double dependent = 1e-26; // squared: what rounding leaves
-      constexpr double doubtful = 1e-8;   // squared: where rounding counts, another pass
-      scale = std::max(scale, gram.diagonal().maxCoeff());
-      const double least = pass == 0 ? dependent * scale : 0.5;
-      const auto kept = (solver.eigenvalues().array() > least).count();
-      if (kept == 0)
-      {
-        return 0;
-      }
-      const Eigen::MatrixXd vectors = solver.eigenvectors().rightCols(kept);
-      const Eigen::VectorXd roots = solver.eigenvalues().tail(kept).cwiseSqrt();
-      next = m_algebra.combined(next, vectors * roots.cwiseInverse().asDiagonal());
-      toNext = (roots.asDiagonal() * vectors.transpose() * toNext).eval();
-      if (isImage && pass == 0 && roots[0] * roots[0] < doubtful * scale)
-      {
-        const auto basis = m_basis.leftCols(m_size);
-        m_algebra.subtract(basis, m_algebra.product(basis, m_algebra.weighted(next)), next);
-      }
+      return 0;
     }
     m_previous = column;
     const auto added = std::min<Eigen::Index>(next.cols(), m_basis.cols() - m_size);
@@ -264,6 +241,45 @@ private:
     }
     m_size += static_cast<Index>(added);
     return static_cast<Index>(added);
+  }
+
+  /**
+   * Makes vectors orthonormal to each other, and leaves out those that are dependent.
+   *
+   * @param scale of the squared norms, before the basis was taken out of them.
+   * @param toNext is multiplied by what makes the old vectors of the new ones.
+   * @return false if none is left, or when cancelled.
+   */
+  bool orthonormalize(double scale, Eigen::MatrixXd& next, Eigen::MatrixXd& toNext)
+  {
+    constexpr double dependent = 1e-26; // squared: what rounding leaves
+    constexpr double doubtful = 1e-8;   // squared: where rounding counts, another pass
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      const Eigen::MatrixXd gram = m_algebra.product(next, m_algebra.weighted(next));
+      if (!m_algebra.done()) // what was not computed is anything
+      {
+        return false;
+      }
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+      scale = std::max(scale, gram.diagonal().maxCoeff());
+      const double least = pass == 0 ? dependent * scale : 0.5;
+      const auto kept = (solver.eigenvalues().array() > least).count();
+      if (kept == 0)
+      {
+        return false;
+      }
+      const Eigen::MatrixXd vectors = solver.eigenvectors().rightCols(kept);
+      const Eigen::VectorXd roots = solver.eigenvalues().tail(kept).cwiseSqrt();
+      next = m_algebra.combined(next, vectors * roots.cwiseInverse().asDiagonal());
+      toNext = (roots.asDiagonal() * vectors.transpose() * toNext).eval();
+      if (m_size > 0 && pass == 0 && roots[0] * roots[0] < doubtful * scale)
+      {
+        const auto basis = m_basis.leftCols(m_size);
+        m_algebra.subtract(basis, m_algebra.product(basis, m_algebra.weighted(next)), next);
+      }
+    }
+    return true;
   }
 
   /** Takes the part in the basis, from a column on, out; its largest squared norm. */
