@@ -200,19 +200,20 @@ void testSides()
   points.insert(
     points.end(), { { -1, -1, -1 }, { 2, 0.5, 2 }, { 1.1, 1.1, 0.3 }, { 0.5, 0.5, 0.4 } });
   points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-  std::vector<double> distances;
-  std::vector<char> behind;
-  CHECK(measurePointDistances(points, tree, &sides, RunControl(), distances, behind).ok());
+  PointDistances result;
+  const std::vector<double>& distances = result.distances;
+  const std::vector<char>& behind = result.behind;
+  CHECK(measurePointDistances(points, tree, &sides, RunControl(), result).ok());
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
   {
     CHECK_NEAR(behind[k] ? -distances[k] : distances[k], signedDistanceToCube(points[k]), 1e-14);
   }
   CHECK(std::isnan(distances.back()));
-  CHECK(measurePointDistances(points, tree, nullptr, RunControl(), distances, behind).ok());
+  CHECK(measurePointDistances(points, tree, nullptr, RunControl(), result).ok());
   CHECK(behind.empty());
   // So far away that no distance can be told from infinity.
   const std::vector<Point3> far = { { 1e200, 0.0, 0.0 }, { 0.5, 0.5, 3.0 } };
-  CHECK(measurePointDistances(far, tree, &sides, RunControl(), distances, behind).ok());
+  CHECK(measurePointDistances(far, tree, &sides, RunControl(), result).ok());
   CHECK(std::isnan(distances[0]) && behind[0] == 0);
   CHECK_NEAR(distances[1], 2.0, 1e-14);
 }

@@ -1,9 +1,10 @@
 #include "Comparison/Comparison.h"
 
 #include "Comparison/NormalDeviation.h"
-#include "Comparison/PointDistance.h"
 #include "Mesh/Weld.h"
 #include "Support/Grouping.h"
+
+#include <optional>
 
 namespace remesh
 {
@@ -42,80 +43,96 @@ double diagonalOf(const Triangles& surface)
   return (upper - lower).stableNorm();
 }
 
-/** Distances of `points` to a surface; with sides, where the welded surface is oriented. */
-Status measurePoints(const std::vector<Point3>& points, const TriangleTree& tree,
-  const Triangles& welded, bool oriented, const RunControl& control, PointDistances& result)
+/** A surface that others are measured against, and its topology once coincident points are one. */
+struct Measured
 {
-  if (!oriented)
-  {
-    return measurePointDistances(points, tree, nullptr, control, result.distances, result.behind);
-  }
-  const SideNormals sides(welded, control);
-  return measurePointDistances(points, tree, &sides, control, result.distances, result.behind);
-}
+  Triangles surface;
+  TriangleTree tree;
+  std::vector<Triple> welded;
+  MeshTopology topology;
 
-Status measureDistances(const Triangles& mesh, const Triangles& reference,
-  const TriangleTree& meshTree, const TriangleTree& tree, DistanceOptions options,
+  Measured(const Triangles& measured, const RunControl& control)
+    : surface(measured)
+    , tree(measured, control)
+  {
+  }
+
+  Status weld(const RunControl& control)
+  {
+    this->welded = weldTriangles(this->surface, control);
+    return measureTopology(
+      { this->surface.points, this->welded }, control.silent(), this->topology);
+  }
+
+  /** Distances of points to it; with sides, where the welded surface is oriented. */
+  Status measurePoints(
+    const std::vector<Point3>& points, const RunControl& control, PointDistances& result) const
+  {
+    std::optional<SideNormals> sides;
+    if (this->topology.oriented)
+    {
+      sides.emplace(Triangles{ this->surface.points, this->welded }, control);
+    }
+    return measurePointDistances(points, this->tree, sides ? &*sides : nullptr, control, result);
+  }
+};
+
+Status measureDistances(const Measured& mesh, const Measured& reference, DistanceOptions options,
   RunControl control, Comparison& comparison)
 {
   options.negligible *= comparison.diagonal;
   control.enterPhase("Measuring distances to the reference", 0.2, 0.5);
-  Status status =
-    measureOneSidedDistance(mesh, tree, options, control, comparison.distance.forward);
+  Status status = measureOneSidedDistance(
+    mesh.surface, reference.tree, options, control, comparison.distance.forward);
   if (status.ok())
   {
     control.enterPhase("Measuring distances from the reference", 0.5, 0.8);
-    status =
-      measureOneSidedDistance(reference, meshTree, options, control, comparison.distance.backward);
+    status = measureOneSidedDistance(
+      reference.surface, mesh.tree, options, control, comparison.distance.backward);
   }
   return status;
 }
 
-Status measureAgainst(const Triangles& mesh, const Triangles& reference,
+Status measureAgainst(const Triangles& surface, const Triangles& against,
   const DistanceOptions& options, RunControl control, Comparison& comparison)
 {
-  const TriangleTree meshTree(mesh, control);
-  const TriangleTree tree(reference, control);
+  Measured mesh(surface, control);
+  Measured reference(against, control);
   if (control.cancelled())
   {
     return Status::cancelled();
   }
-  if (meshTree.empty() || tree.empty())
+  if (mesh.tree.empty() || reference.tree.empty())
   {
-    return Status::invalid(std::string("The ") + (tree.empty() ? "reference surface" : "mesh") +
+    return Status::invalid(std::string("The ") +
+      (reference.tree.empty() ? "reference surface" : "mesh") +
       " has no triangle with an area above 0: there is nothing to measure distances to.");
   }
   comparison.hasReference = true;
-  comparison.diagonal = diagonalOf(reference);
-  const std::vector<Triple> meshTriangles = weldTriangles(mesh, control);
-  const std::vector<Triple> referenceTriangles = weldTriangles(reference, control);
-  const Triangles meshWelded{ mesh.points, meshTriangles };
-  const Triangles welded{ reference.points, referenceTriangles };
-  MeshTopology meshTopology;
-  Status status = measureTopology(meshWelded, control.silent(), meshTopology);
+  comparison.diagonal = diagonalOf(against);
+  Status status = mesh.weld(control);
   if (status.ok())
   {
-    status = measureTopology(welded, control.silent(), comparison.referenceTopology);
+    status = reference.weld(control);
+    comparison.referenceTopology = reference.topology;
   }
   if (status.ok())
   {
-    status = measureDistances(mesh, reference, meshTree, tree, options, control, comparison);
+    status = measureDistances(mesh, reference, options, control, comparison);
   }
   control.enterPhase("Measuring points and normals", 0.8, 1.0);
   if (status.ok())
   {
-    status = measurePoints(mesh.points, tree, welded, comparison.referenceTopology.oriented,
-      control.step(0, 3), comparison.meshPoints);
+    status = reference.measurePoints(surface.points, control.step(0, 3), comparison.meshPoints);
   }
   if (status.ok())
   {
-    status = measurePoints(reference.points, meshTree, meshWelded, meshTopology.oriented,
-      control.step(1, 3), comparison.referencePoints);
+    status = mesh.measurePoints(against.points, control.step(1, 3), comparison.referencePoints);
   }
   if (status.ok())
   {
-    status = measureNormalDeviations(
-      mesh, tree, comparison.diagonal, control.step(2, 3), comparison.normalDeviations);
+    status = measureNormalDeviations(surface, reference.tree, comparison.diagonal,
+      control.step(2, 3), comparison.normalDeviations);
   }
   return status;
 }

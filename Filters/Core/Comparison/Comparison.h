@@ -6,18 +6,12 @@
 #define remesh_Comparison_h
 
 #include "Comparison/MeshTopology.h"
+#include "Comparison/PointDistance.h"
 #include "Comparison/SurfaceDistance.h"
 #include "Comparison/TriangleQuality.h"
 
 namespace remesh
 {
-/** Of one surface's points (P) to the other surface, in the unit of the points. */
-struct PointDistances
-{
-  std::vector<double> distances; ///< P; NaN for points that are not finite
-  std::vector<char> behind;      ///< P, 1: behind the other surface; empty if that has no sides
-};
-
 struct Comparison
 {
   MeshTopology topology;                  ///< of the mesh, as it is indexed

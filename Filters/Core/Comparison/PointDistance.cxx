@@ -60,11 +60,10 @@ bool SideNormals::isBehind(
 }
 
 Status measurePointDistances(const std::vector<Point3>& points, const TriangleTree& surface,
-  const SideNormals* sides, const RunControl& control, std::vector<double>& distances,
-  std::vector<char>& behind)
+  const SideNormals* sides, const RunControl& control, PointDistances& result)
 {
-  distances.assign(points.size(), std::numeric_limits<double>::quiet_NaN());
-  behind.assign(sides ? points.size() : 0, 0);
+  result.distances.assign(points.size(), std::numeric_limits<double>::quiet_NaN());
+  result.behind.assign(sides ? points.size() : 0, 0);
   const Blocks blocks = Blocks::cut(static_cast<Offset>(points.size()), 1024, 4096);
   const bool done = forEachRange(blocks, control,
     [&](Offset begin, Offset end)
@@ -82,10 +81,10 @@ Status measurePointDistances(const std::vector<Point3>& points, const TriangleTr
           continue; // too far for a distance
         }
         hint = place.slot;
-        distances[k] = std::sqrt(place.at.squared);
+        result.distances[k] = std::sqrt(place.at.squared);
         if (sides)
         {
-          behind[k] = sides->isBehind(points[k], surface, place) ? 1 : 0;
+          result.behind[k] = sides->isBehind(points[k], surface, place) ? 1 : 0;
         }
       }
     });

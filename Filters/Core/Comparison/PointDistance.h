@@ -40,18 +40,22 @@ private:
   std::vector<Point3> m_pointNormals;  ///< P, any length
 };
 
+/** Of points (P) to a surface, in the unit of the points. */
+struct PointDistances
+{
+  std::vector<double> distances; ///< P; NaN for points that are not finite, or too far away
+  std::vector<char> behind;      ///< P, 1: behind the surface; empty if that has no sides
+};
+
 /**
- * The distance of each point to a surface, in the unit of the points; NaN for a point that is not
- * finite, or so far away that its square is not.
+ * The distance of each point to a surface; a point is too far away where its square is not finite.
  *
  * @param surface not empty.
- * @param sides of the surface, or nullptr: `behind` is not computed.
- * @param behind 1 for points behind the surface.
+ * @param sides of the surface, or nullptr: it has none.
  * Cost: a search in the tree for each, in parallel. Deterministic.
  */
 Status measurePointDistances(const std::vector<Point3>& points, const TriangleTree& surface,
-  const SideNormals* sides, const RunControl& control, std::vector<double>& distances,
-  std::vector<char>& behind);
+  const SideNormals* sides, const RunControl& control, PointDistances& result);
 }
 
 #endif
