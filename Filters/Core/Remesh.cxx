@@ -120,7 +120,7 @@ Status placeOnFeatures(const Task& task, const PlacementProblem& problem, const 
   }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   const std::vector<Point3> normals = normalsOf(problem.triangles, start);
-  const bool done = limitSteps(problem, stars, { start, normals }, start, control, goals);
+  const bool done = limitSteps(problem, stars, { start, normals, start }, control, goals);
   result.placement.positions = std::move(goals);
   return done ? Status::success() : Status::cancelled();
 }

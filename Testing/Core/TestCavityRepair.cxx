@@ -165,12 +165,13 @@ void testPolygons()
     triangles = fan(corners);
     const std::vector<Point3> before = positions;
     InvertedSearch search(fixture.near);
-    MeshEdits repair;
+    PlacedVertices placed;
+    placed.positions = before;
     CHECK(repairMesh({ fixture.problem, fixture.near, before, before, RunControl() },
-      MeshSteps::Refill, search, triangles, positions, repair)
+      MeshSteps::Refill, search, triangles, placed)
             .ok());
-    CHECK_EQUAL(repair.inverted, Offset(0));
-    refilled += repair.refilled > 0 ? 1 : 0; // told apart from what needs no refilling
+    CHECK_EQUAL(placed.edits.inverted, Offset(0));
+    refilled += placed.edits.refilled > 0 ? 1 : 0; // told apart from what needs no refilling
     CHECK(bordersOf(triangles) == bordersOf(fan(corners)));
   }
   CHECK(refilled > 50);

@@ -232,7 +232,7 @@ void testCrossingSurface()
   {
     const CrossingSearch search(result.dual.triangles, positions, RunControl());
     Pairs pairs;
-    CHECK(findPartable(problem, search, result.dual.triangles, noLimit, RunControl(), pairs).ok());
+    CHECK(findPartable(problem, search, noLimit, RunControl(), pairs).ok());
     return pairs;
   };
   CHECK(crossingsOf(result.dual.triangles, positions).size() > 20);
@@ -276,7 +276,7 @@ struct ShakenTorus
     const std::vector<Triple>& triangles = this->result.dual.triangles;
     const CrossingSearch search(triangles, this->result.placement.positions, RunControl());
     Pairs pairs;
-    CHECK(findPartable(this->problem, search, triangles, most, control, pairs).ok());
+    CHECK(findPartable(this->problem, search, most, control, pairs).ok());
     asked = count;
     return pairs;
   }

@@ -71,7 +71,7 @@ void testSwapped(const SurfaceMesh& surfaceMesh)
     CHECK(!fixture.flipped(positions).empty());
     const std::vector<Point3> swapped = positions;
     RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
-    const Offset moved = untangle(fixture.problem, fixture.near, t, 2, RunControl(), mesh);
+    const Offset moved = untangle(fixture.near, t, 2, RunControl(), mesh);
     CHECK_EQUAL(moved > 0, positions != swapped);
     CHECK(moved == 0 || fixture.flipped(positions).empty());
     for (const Point3& place : positions)
@@ -103,7 +103,9 @@ void testTurnedBack()
   {
     // Some of the misplaced vertices must stay: only turned edges are of use there.
     std::vector<Triple> triangles = dual;
-    std::vector<Point3> positions = sound;
+    PlacedVertices placed;
+    std::vector<Point3>& positions = placed.positions;
+    positions = sound;
     for (std::size_t v = 0; v < positions.size(); ++v)
     {
       fixture.fixed[v] = uniform01(seed, v, 0) < 0.3 ? 1 : 0;
@@ -113,16 +115,15 @@ void testTurnedBack()
       }
     }
     InvertedSearch search(fixture.near);
-    MeshEdits repair;
     CHECK(repairMesh({ fixture.problem, fixture.near, sound, sound, RunControl() },
-      MeshSteps::MoveAndFlip, search, triangles, positions, repair)
+      MeshSteps::MoveAndFlip, search, triangles, placed)
             .ok());
     std::vector<Index> left;
     CHECK(search.find(triangles, positions, RunControl(), left).ok()); // judges what has changed
     std::vector<Index> all;
     CHECK(InvertedSearch(fixture.near).find(triangles, positions, RunControl(), all).ok());
     CHECK(left == all);
-    CHECK_EQUAL(static_cast<Offset>(all.size()), repair.inverted);
+    CHECK_EQUAL(static_cast<Offset>(all.size()), placed.edits.inverted);
     RepairedMesh mesh(fixture.problem, fixture.near, sound, triangles, positions);
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {
@@ -154,7 +155,9 @@ void testUndone()
   for (std::size_t t = 0; t < dual.size(); t += 20)
   {
     std::vector<Triple> triangles = dual;
-    std::vector<Point3> positions = sound;
+    PlacedVertices placed;
+    std::vector<Point3>& positions = placed.positions;
+    positions = sound;
     std::fill(fixture.fixed.begin(), fixture.fixed.end(), 0);
     const auto& [a, b, c] = triangles[t];
     for (const Index corner : { a, b, c })
@@ -166,11 +169,10 @@ void testUndone()
     const auto flipped = static_cast<Offset>(fixture.flipped(positions).size());
     CHECK(flipped > 0);
     InvertedSearch search(fixture.near);
-    MeshEdits repair;
     CHECK(repairMesh({ fixture.problem, fixture.near, sound, sound, RunControl() },
-      MeshSteps::MoveAndFlip, search, triangles, positions, repair)
+      MeshSteps::MoveAndFlip, search, triangles, placed)
             .ok());
-    if (repair.inverted == flipped)
+    if (placed.edits.inverted == flipped)
     {
       CHECK(positions == before);
       CHECK(triangles == dual);
@@ -185,7 +187,9 @@ void testTooMany()
 {
   Fixture fixture;
   std::vector<Triple> triangles = fixture.result.dual.triangles;
-  std::vector<Point3> positions = fixture.result.placement.positions;
+  PlacedVertices placed;
+  std::vector<Point3>& positions = placed.positions;
+  positions = fixture.result.placement.positions;
   for (std::size_t v = 0; v < positions.size(); ++v)
   {
     fixture.fixed[v] = 1;
@@ -198,11 +202,10 @@ void testTooMany()
   CHECK(static_cast<Offset>(fixture.flipped(positions).size()) > maxInverted(count));
   const std::vector<Point3> before = positions;
   InvertedSearch search(fixture.near);
-  MeshEdits repair;
   CHECK(repairMesh({ fixture.problem, fixture.near, before, before, RunControl() },
-    MeshSteps::MoveAndFlip, search, triangles, positions, repair)
+    MeshSteps::MoveAndFlip, search, triangles, placed)
           .ok());
-  CHECK_EQUAL(repair.flippedEdges, 0);
+  CHECK_EQUAL(placed.edits.flippedEdges, 0);
   CHECK(triangles == fixture.result.dual.triangles);
 }
 
@@ -218,13 +221,13 @@ void testFixed()
   fixture.fixed[a] = 1;
   {
     RepairedMesh mesh(fixture.problem, fixture.near, before, triangles, positions);
-    untangle(fixture.problem, fixture.near, 0, 2, RunControl(), mesh);
+    untangle(fixture.near, 0, 2, RunControl(), mesh);
     CHECK(positions[a] == before[a]);
   }
   fixture.fixed.assign(fixture.fixed.size(), 1);
   positions = before;
   RepairedMesh mesh(fixture.problem, fixture.near, before, triangles, positions);
-  CHECK_EQUAL(untangle(fixture.problem, fixture.near, 0, 3, RunControl(), mesh), 0);
+  CHECK_EQUAL(untangle(fixture.near, 0, 3, RunControl(), mesh), 0);
   CHECK(positions == before);
 }
 

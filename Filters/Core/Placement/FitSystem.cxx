@@ -102,13 +102,13 @@ bool addGroup(
 }
 
 /** What all samples add, group by group. */
-bool sumSamples(const PlacementProblem& problem, const VertexStars& stars,
-  const std::vector<Point3>& positions, FitSamples& samples, const RunControl& control,
-  FitSystem& system)
+bool sumSamples(const FitTask& task, const std::vector<Point3>& positions, FitSamples& samples,
+  const RunControl& control, FitSystem& system)
 {
+  const PlacementProblem& problem = task.problem;
   const std::vector<Point3> normals = normalsOf(problem.triangles, positions);
   ScratchPool<StarFit> pool(
-    [&]() { return std::make_unique<StarFit>(problem, stars, positions, normals); });
+    [&]() { return std::make_unique<StarFit>(problem, task.stars, positions, normals); });
   const Offset count = samples.blocks().count();
   system.blockSums.resize(static_cast<std::size_t>(std::min(blocksPerGroup, count)));
   for (Offset first = 0; first < count; first += blocksPerGroup)
@@ -250,10 +250,11 @@ Point3 FitSystem::row(const VectorField& x, std::size_t i) const
   return value;
 }
 
-FitSystem makeFitSystem(const PlacementProblem& problem)
+namespace
 {
-  EdgeTable edges = buildEdgeTable(problem.triangles);
-  FitSystem system;
+/** The edges at each vertex, in the order of the triangles. */
+void listLinks(const PlacementProblem& problem, const EdgeTable& edges, FitSystem& system)
+{
   const auto count = static_cast<std::size_t>(problem.numberOfVertices());
   system.linkBegins.assign(count + 1, 0);
   const auto forEachLink = [&](const auto& visit)
@@ -288,6 +289,14 @@ FitSystem makeFitSystem(const PlacementProblem& problem)
       system.links[next[a]++] = { b, edge };
       system.links[next[b]++] = { a, edge };
     });
+}
+}
+
+FitSystem makeFitSystem(const PlacementProblem& problem)
+{
+  EdgeTable edges = buildEdgeTable(problem.triangles);
+  FitSystem system;
+  listLinks(problem, edges, system);
   system.edgeBlocks.resize(static_cast<std::size_t>(edges.numberOfEdges()));
   system.triangleEdges = std::move(edges.facetEdges);
   return system;
@@ -307,7 +316,7 @@ bool assembleFit(const FitTask& task, const std::vector<Point3>& positions, FitS
   system.errors.weights.assign(vertices, 0.0);
   system.errors.farthest = 0.0;
   system.triangleNormals.assign(problem.triangles.size(), Point3::Zero());
-  if (!sumSamples(problem, task.stars, positions, samples, control, system))
+  if (!sumSamples(task, positions, samples, control, system))
   {
     return false;
   }

@@ -44,10 +44,11 @@ std::vector<Point3> placesOnSurface(const PlacementProblem& problem,
   return places;
 }
 
-Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& known, const std::vector<Point3>& positions, const RunControl& control,
+Status locatePlaces(const NearbySurface& surface, const std::vector<Point3>& known,
+  const std::vector<Point3>& positions, const RunControl& control,
   std::vector<SurfaceLocation>& locations)
 {
+  const PlacementProblem& problem = surface.problem();
   const auto isKnown = [&](std::size_t v)
   { return !known.empty() && positions[v] == known[v] && !problem.isFixed(v); };
   std::size_t first = 0;
@@ -97,7 +98,7 @@ Status approachQuadrics(const PlacementProblem& problem, const CellForms& cells,
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   // Against their own normals: shapes alone do not tell a triangle from its mirror image.
   const std::vector<Point3> normals = normalsOf(problem.triangles, start);
-  return limitSteps(problem, stars, { start, normals }, start, control, positions)
+  return limitSteps(problem, stars, { start, normals, start }, control, positions)
     ? Status::success()
     : Status::cancelled();
 }

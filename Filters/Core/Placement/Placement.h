@@ -34,8 +34,8 @@ std::vector<Point3> placesOnSurface(const PlacementProblem& problem,
   const std::vector<SurfaceLocation>& locations, const std::vector<Point3>& start);
 
 /** The points of the surface closest to the places, but where these are among known ones. */
-Status locatePlaces(const PlacementProblem& problem, const NearbySurface& surface,
-  const std::vector<Point3>& known, const std::vector<Point3>& positions, const RunControl& control,
+Status locatePlaces(const NearbySurface& surface, const std::vector<Point3>& known,
+  const std::vector<Point3>& positions, const RunControl& control,
   std::vector<SurfaceLocation>& locations);
 
 /**

@@ -22,10 +22,10 @@ double cosineTo(const Point3& normal, const Corners& p)
 
 /** Whether a triangle at `after` is worse than allowed. */
 bool isSpoilt(const Triple& triangle, const ShapeReference& reference, const Point3& surfaceNormal,
-  const std::vector<Point3>& before, const std::vector<Point3>& after)
+  const std::vector<Point3>& after)
 {
   const Corners now = cornersOf(triangle, after);
-  const Corners then = cornersOf(triangle, before);
+  const Corners then = cornersOf(triangle, reference.before);
   if (now == then)
   {
     return false;
@@ -44,60 +44,90 @@ bool isSpoilt(const Triple& triangle, const ShapeReference& reference, const Poi
   const double stretch = stretchRatio(shape, now);
   return !(stretch <= largestStretch || stretch <= stretchRatio(shape, then));
 }
+
+/** Vertices on their way to the goals, and the triangles that they spoil. */
+class StepLimiter
+{
+public:
+  StepLimiter(
+    const PlacementProblem& problem, const ShapeReference& reference, std::vector<Point3>& goals)
+    : m_problem(problem)
+    , m_reference(reference)
+    , m_wanted(goals)
+    , m_places(goals)
+    , m_spoilt(problem.triangles.size(), 0)
+    , m_levels(goals.size(), 0)
+    , m_changed(goals.size(), 1)
+  {
+  }
+
+  /** Judges the triangles whose vertices have changed. */
+  bool judge(const RunControl& control)
+  {
+    const std::vector<Point3>& normals = m_reference.normals;
+    return forEachItem(Blocks::cut(static_cast<Offset>(m_spoilt.size()), 64, 4096), control,
+      [&](Offset t)
+      {
+        const Triple& triangle = m_problem.triangles[t];
+        m_spoilt[t] = std::any_of(triangle.begin(), triangle.end(),
+                        [&](Index v) { return m_changed[v] != 0; }) &&
+          isSpoilt(
+            triangle, m_reference, normals.empty() ? Point3(Point3::Zero()) : normals[t], m_places);
+      });
+  }
+
+  bool spoilsAny() const
+  {
+    return std::any_of(m_spoilt.begin(), m_spoilt.end(), [](char is) { return is != 0; });
+  }
+
+  /** Takes the vertices of spoilt triangles back by a level. */
+  bool fallBack(const VertexStars& stars, const RunControl& control)
+  {
+    const std::vector<Point3>& before = m_reference.before;
+    return forEachItem(Blocks::cut(m_problem.numberOfVertices(), 64, 4096), control,
+      [&](Offset item)
+      {
+        const auto v = static_cast<Index>(item);
+        const bool falls = std::any_of(stars.triangles.begin() + stars.begin(v),
+          stars.triangles.begin() + stars.end(v), [&](Index t) { return m_spoilt[t] != 0; });
+        m_changed[v] = falls && m_levels[v] < lastLevel;
+        if (m_changed[v])
+        {
+          ++m_levels[v];
+          const double way = m_levels[v] < lastLevel ? std::ldexp(1.0, -m_levels[v]) : 0.0;
+          m_places[v] = way > 0.0 ? Point3(before[v] + way * (m_wanted[v] - before[v])) : before[v];
+        }
+      });
+  }
+
+private:
+  const PlacementProblem& m_problem;
+  const ShapeReference& m_reference;
+  std::vector<Point3> m_wanted;
+  std::vector<Point3>& m_places;
+  std::vector<char> m_spoilt;  ///< T
+  std::vector<char> m_levels;  ///< K
+  std::vector<char> m_changed; ///< K, since the triangles were judged
+};
 }
 
 bool limitSteps(const PlacementProblem& problem, const VertexStars& stars,
-  const ShapeReference& reference, const std::vector<Point3>& before, const RunControl& control,
-  std::vector<Point3>& goals)
+  const ShapeReference& reference, const RunControl& control, std::vector<Point3>& goals)
 {
   const RunControl silent = control.silent();
-  const std::vector<Point3> wanted = goals;
-  const auto numberOfTriangles = static_cast<Offset>(problem.triangles.size());
-  const Blocks triangles = Blocks::cut(numberOfTriangles, 64, 4096);
-  const Blocks vertices = Blocks::cut(problem.numberOfVertices(), 64, 4096);
-  std::vector<char> spoilt(problem.triangles.size(), 0);
-  std::vector<char> levels(goals.size(), 0);
-  std::vector<char> changed(goals.size(), 1); // since the triangles were judged
+  StepLimiter limiter(problem, reference, goals);
   for (;;)
   {
-    const bool judged = forEachRange(triangles, silent,
-      [&](Offset begin, Offset end)
-      {
-        for (Offset t = begin; t < end; ++t)
-        {
-          const Triple& triangle = problem.triangles[t];
-          spoilt[t] = std::any_of(triangle.begin(), triangle.end(),
-                        [&](Index v) { return changed[v] != 0; }) &&
-            isSpoilt(triangle, reference,
-              reference.normals.empty() ? Point3(Point3::Zero()) : reference.normals[t], before,
-              goals);
-        }
-      });
-    if (!judged)
+    if (!limiter.judge(silent))
     {
       return false;
     }
-    if (std::none_of(spoilt.begin(), spoilt.end(), [](char is) { return is != 0; }))
+    if (!limiter.spoilsAny())
     {
       return true;
     }
-    const bool moved = forEachRange(vertices, silent,
-      [&](Offset begin, Offset end)
-      {
-        for (auto v = static_cast<Index>(begin); v < end; ++v)
-        {
-          const bool falls = std::any_of(stars.triangles.begin() + stars.begin(v),
-            stars.triangles.begin() + stars.end(v), [&](Index t) { return spoilt[t] != 0; });
-          changed[v] = falls && levels[v] < lastLevel;
-          if (changed[v])
-          {
-            ++levels[v];
-            const double way = levels[v] < lastLevel ? std::ldexp(1.0, -levels[v]) : 0.0;
-            goals[v] = way > 0.0 ? Point3(before[v] + way * (wanted[v] - before[v])) : before[v];
-          }
-        }
-      });
-    if (!moved)
+    if (!limiter.fallBack(stars, silent))
     {
       return false;
     }

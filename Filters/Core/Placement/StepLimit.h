@@ -16,6 +16,7 @@ struct ShapeReference
   const std::vector<Point3>& positions; ///< K, whose triangles have the shapes to keep
   const std::vector<Point3>& normals; ///< T, along the surface's normal, zero where it is unknown;
                                       ///< or empty: all are
+  const std::vector<Point3>& before;  ///< K, where the steps start
 };
 
 /**
@@ -34,8 +35,7 @@ struct ShapeReference
  * Cost: O(T) per round; a few rounds. Parallel, deterministic.
  */
 [[nodiscard]] bool limitSteps(const PlacementProblem& problem, const VertexStars& stars,
-  const ShapeReference& reference, const std::vector<Point3>& before, const RunControl& control,
-  std::vector<Point3>& goals);
+  const ShapeReference& reference, const RunControl& control, std::vector<Point3>& goals);
 }
 
 #endif

@@ -32,8 +32,7 @@ inline Offset mostStrays(Offset triangles)
  * @param suspects T, 1: such a one.
  */
 Status findSuspects(const PlacementProblem& problem, const WholeSurface& whole,
-  const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
-  const RunControl& control, std::vector<char>& suspects);
+  const Triangles& mesh, const RunControl& control, std::vector<char>& suspects);
 }
 
 #endif

@@ -47,10 +47,38 @@ public:
     m_samples.emplace(task.problem, coarseSamples);
   }
 
-  void takeFineSamples()
+  /** All rounds from `start`, with the errors of the first. False when cancelled. */
+  bool goAll(const std::vector<Point3>& start, const RunControl& control, FitErrors& errors,
+    std::vector<Point3>& positions)
   {
+    for (int round = 0; round < coarseRounds; ++round)
+    {
+      if (!this->go(relaxation, momentum, control, positions))
+      {
+        return false;
+      }
+      if (round == 0)
+      {
+        errors = m_system.errors;
+      }
+      control.report((round + 1.0) / (coarseRounds + fineRounds));
+    }
+    // Here, too, so that the last rounds make the best of it.
+    if (!boundDistances(m_task, start, errors, control, positions))
+    {
+      return false;
+    }
     // For two rounds, keeping these takes as long as making them again.
     m_samples.emplace(m_task.problem, samplesPerVertex, 0.0);
+    for (int left = fineRounds; left > 0; --left)
+    {
+      if (!this->go(left > 1 ? relaxation : 1.0, 0.0, control, positions))
+      {
+        return false;
+      }
+      control.report((coarseRounds + fineRounds - left + 1.0) / (coarseRounds + fineRounds));
+    }
+    return true;
   }
 
   /**
@@ -83,11 +111,8 @@ public:
     const std::vector<Point3>& start, const RunControl& control, std::vector<Point3>& goals) const
   {
     return limitSteps(
-      m_task.problem, m_task.stars, { m_shapes, m_system.triangleNormals }, start, control, goals);
+      m_task.problem, m_task.stars, { m_shapes, m_system.triangleNormals, start }, control, goals);
   }
-
-  /** Where the last round began. */
-  const FitErrors& errors() const { return m_system.errors; }
 
 private:
   /** The places where the system's solution sends the vertices. Its slopes are used up. */
@@ -128,38 +153,6 @@ void keepAcross(
   }
 }
 
-/** All rounds, with the errors of the first. False when cancelled. */
-bool goAll(const FitTask& task, const std::vector<Point3>& start, const RunControl& control,
-  FitRounds& rounds, FitErrors& errors, std::vector<Point3>& positions)
-{
-  for (int round = 0; round < coarseRounds; ++round)
-  {
-    if (!rounds.go(relaxation, momentum, control, positions))
-    {
-      return false;
-    }
-    if (round == 0)
-    {
-      errors = rounds.errors();
-    }
-    control.report((round + 1.0) / (coarseRounds + fineRounds));
-  }
-  // Here, too, so that the last rounds make the best of it.
-  if (!boundDistances(task, start, errors, control, positions))
-  {
-    return false;
-  }
-  rounds.takeFineSamples();
-  for (int left = fineRounds; left > 0; --left)
-  {
-    if (!rounds.go(left > 1 ? relaxation : 1.0, 0.0, control, positions))
-    {
-      return false;
-    }
-    control.report((coarseRounds + fineRounds - left + 1.0) / (coarseRounds + fineRounds));
-  }
-  return true;
-}
 }
 
 Status fitToSurface(const PlacementProblem& problem, const CellForms& cells,
@@ -177,7 +170,7 @@ Status fitToSurface(const PlacementProblem& problem, const CellForms& cells,
   std::vector<Point3> anchors;
   FitErrors errors;
   FitRounds rounds(task, shapes.positions);
-  if (!goAll(task, start, control, rounds, errors, positions))
+  if (!rounds.goAll(start, control, errors, positions))
   {
     return Status::cancelled();
   }

@@ -29,9 +29,9 @@ struct SurfaceSample
 
 /** Visits the equal parts (k^2 triangles) of a triangle: their centroids, each of `area / k^2`. */
 template <class Visit>
-void visitParts(
-  const Point3& a, const Point3& b, const Point3& c, double area, int k, const Visit& visit)
+void visitParts(const std::array<Point3, 3>& corners, double area, int k, const Visit& visit)
 {
+  const auto& [a, b, c] = corners;
   if (k == 1) // most
   {
     visit(Point3((a + b + c) * (1.0 / 3.0)), area);
@@ -65,13 +65,20 @@ inline Point3 centerOf(const PieceIntegral& integral, const FacetCorners& corner
     integral.fraction();
 }
 
+/** How finely a component is cut. */
+struct SampleSize
+{
+  double area; ///< of a sample, about
+  int most;    ///< parts along the side of a triangle
+};
+
 /**
  * Calls `visit(point, area)` for each part of a piece: the triangles of its fan are cut into about
- * equal ones, of the area `measure`, if that takes no more than `most` to a side.
+ * equal ones of that size.
  */
 template <class Visit>
 void visitPiece(const VertexPlaces& places, Offset piece, const FacetCorners& corners,
-  double measure, int most, const Visit& visit)
+  const SampleSize& size, const Visit& visit)
 {
   PiecePlaces vertices(places, piece);
   const auto place = [&](Offset v)
@@ -88,12 +95,70 @@ void visitPiece(const VertexPlaces& places, Offset piece, const FacetCorners& co
     if (v > begin + 1)
     {
       const double area = facetArea(first, second, third);
-      const double parts = std::sqrt(area / measure) + 0.5; // rounded
-      visitParts(first, second, third, area,
-        static_cast<int>(std::clamp(parts, 1.0, static_cast<double>(most))), visit);
+      const double parts = std::sqrt(area / size.area) + 0.5; // rounded
+      visitParts({ first, second, third }, area,
+        static_cast<int>(std::clamp(parts, 1.0, static_cast<double>(size.most))), visit);
     }
     second = third;
   }
+}
+
+/** A piece, and what its facet tells of its samples. */
+struct MeasuredPiece
+{
+  Index piece;
+  Index facet;
+  FacetCorners corners;
+  Point3 vector; ///< of the facet: its normal, as long as twice its area
+  double length; ///< of that vector
+  double area;   ///< of the piece
+
+  MeasuredPiece(const PlacementProblem& problem, Index ofDiagram)
+    : piece(ofDiagram)
+    , facet(problem.diagram.facets[ofDiagram])
+    , corners{ &problem.facetPoint(facet, 0), &problem.facetPoint(facet, 1),
+      &problem.facetPoint(facet, 2) }
+    , vector(doubleAreaVector(*corners[0], *corners[1], *corners[2]))
+    , length(lengthOf(vector))
+    , area(0.5 * problem.diagram.integrals[piece].fraction() * length)
+  {
+  }
+
+  Point3 normal() const
+  {
+    constexpr double shortest = 1e-145; // whose square is not 0
+    return this->length > shortest
+      ? Point3((1.0 / this->length) * this->vector)
+      : facetNormal(*this->corners[0], *this->corners[1], *this->corners[2]);
+  }
+};
+
+/** Calls `visit(const SurfaceSample&)` for each sample of a piece; they weigh `weight` in all. */
+template <class Visit>
+void visitSamples(const VertexPlaces& places, const MeasuredPiece& measured, double weight,
+  const SampleSize& size, const Visit& visit)
+{
+  SurfaceSample sample;
+  sample.facet = measured.facet;
+  sample.normal = measured.normal();
+  const auto visitPart = [&](const Point3& point, double share)
+  {
+    sample.point = point;
+    sample.weight = share;
+    visit(sample);
+  };
+  if (measured.area < 2.0 * size.area)
+  {
+    visitPart(centerOf(places.diagram.integrals[measured.piece], measured.corners), weight);
+    return;
+  }
+  double surplus = weight - measured.area; // goes to the first part
+  visitPiece(places, measured.piece, measured.corners, size,
+    [&](const Point3& point, double area)
+    {
+      visitPart(point, area + surplus);
+      surplus = 0.0;
+    });
 }
 
 /**
@@ -105,66 +170,26 @@ template <class Visit>
 void forEachSample(
   const PlacementProblem& problem, Index component, int samples, const Visit& visit)
 {
-  const Diagram& diagram = problem.diagram;
-  const VertexPlaces places{ problem.surface, problem.sites, diagram };
+  const VertexPlaces places{ problem.surface, problem.sites, problem.diagram };
   const Components& components = problem.components;
-  const double measure = components.area[component] / samples;
-  Point3 vector; // of the last facet asked for
-  double length = 0.0;
-  const auto areaOf = [&](Offset p)
+  const SampleSize size{ components.area[component] / samples, samples };
+  const auto measured = [&](Offset p) { return MeasuredPiece(problem, components.pieces[p]); };
+  const Offset begin = components.pieceBegin[component];
+  Offset end = components.pieceBegin[component + 1];
+  while (end > begin && !(measured(end - 1).area > 0.0))
   {
-    const Offset piece = components.pieces[p];
-    const auto& [a, b, c] = problem.mesh.facetPoints[diagram.facets[piece]];
-    vector =
-      doubleAreaVector(problem.mesh.points[a], problem.mesh.points[b], problem.mesh.points[c]);
-    length = lengthOf(vector);
-    return 0.5 * diagram.integrals[piece].fraction() * length;
-  };
-  const Offset begins = components.pieceBegin[component];
-  Offset ends = components.pieceBegin[component + 1];
-  while (ends > begins && !(areaOf(ends - 1) > 0.0))
-  {
-    --ends;
+    --end;
   }
-  double carried = 0.0;
-  for (Offset p = begins; p < ends; ++p)
+  double carried = 0.0; // area without a sample yet
+  for (Offset p = begin; p < end; ++p)
   {
-    const double area = areaOf(p);
-    carried += area > 0.0 ? area : 0.0;
-    if (!(area > 0.0) || (carried < measure && p + 1 < ends))
+    const MeasuredPiece piece = measured(p);
+    carried += piece.area > 0.0 ? piece.area : 0.0;
+    if (piece.area > 0.0 && (carried >= size.area || p + 1 == end))
     {
-      continue;
+      visitSamples(places, piece, carried, size, visit);
+      carried = 0.0;
     }
-    const Offset piece = components.pieces[p];
-    const Index facet = diagram.facets[piece];
-    const FacetCorners corners{ &problem.facetPoint(facet, 0), &problem.facetPoint(facet, 1),
-      &problem.facetPoint(facet, 2) };
-    SurfaceSample sample;
-    sample.facet = facet;
-    constexpr double shortest = 1e-145; // whose square is not 0
-    sample.normal = length > shortest ? Point3((1.0 / length) * vector)
-                                      : facetNormal(*corners[0], *corners[1], *corners[2]);
-    const auto visitPart = [&](const Point3& point, double weight)
-    {
-      sample.point = point;
-      sample.weight = weight;
-      visit(sample);
-    };
-    if (area < 2.0 * measure)
-    {
-      visitPart(centerOf(diagram.integrals[piece], corners), carried);
-    }
-    else
-    {
-      double surplus = carried - area; // of the pieces before; goes to the first part
-      visitPiece(places, piece, corners, measure, samples,
-        [&](const Point3& point, double weight)
-        {
-          visitPart(point, weight + surplus);
-          surplus = 0.0;
-        });
-    }
-    carried = 0.0;
   }
 }
 }

@@ -40,6 +40,72 @@ double radiusAround(Index vertex, RepairedMesh& mesh)
   return std::sqrt(squared);
 }
 
+/** Judges places of a vertex by the triangles around it: how many cross, and how they deviate. */
+class PlaceJudge
+{
+public:
+  using Score = std::pair<Offset, double>; ///< the lower one is better
+
+  PlaceJudge(Index vertex, CrossingSearch& search, RepairedMesh& mesh)
+    : m_vertex(vertex)
+    , m_search(search)
+    , m_mesh(mesh)
+    , m_star(mesh.star(vertex))
+    , m_limit(mesh.costOfStar(m_star) + 0.5 * strayCost) // so that nothing else flips
+    , m_radius(radiusAround(vertex, mesh))
+    , m_largestGap(this->gap() + mostGap * m_radius)
+  {
+    for (const Index t : m_star)
+    {
+      search.setChanged(t);
+    }
+    m_crossing = crossingsOf(m_star, search);
+  }
+
+  /** Of the place at first. */
+  Score start() const { return { m_crossing, 0.0 }; }
+
+  /** Whether the vertex may stay where it is now: then lowers `least` to its score there. */
+  bool isBetter(Score& least) const
+  {
+    const double cost = m_mesh.costOfStar(m_star);
+    if (!(cost < m_limit))
+    {
+      return false;
+    }
+    const Offset crossing = crossingsOf(m_star, m_search);
+    if (crossing >= m_crossing || crossing > least.first)
+    {
+      return false;
+    }
+    const double gap = this->gap();
+    const Score score{ crossing, cost + gapWeight * gap / m_radius };
+    if (gap > m_largestGap || !(score < least)) // accuracy goes first
+    {
+      return false;
+    }
+    least = score;
+    return true;
+  }
+
+private:
+  /** Distance from the surface. */
+  double gap() const
+  {
+    const Point3& position = m_mesh.positions()[m_vertex];
+    return (m_mesh.onSurface(m_vertex, position) - position).norm();
+  }
+
+  Index m_vertex;
+  CrossingSearch& m_search;
+  RepairedMesh& m_mesh;
+  std::vector<Index> m_star;
+  double m_limit;
+  double m_radius;
+  double m_largestGap;
+  Offset m_crossing = 0; ///< at first
+};
+
 /**
  * Moves a vertex to where the fewest triangles around it cross others, and of such places to one
  * where these deviate least and that is nearest to the surface; false where it is.
@@ -51,23 +117,15 @@ bool moveVertex(const RepairContext& context, Index vertex, Index other, Crossin
   {
     return false;
   }
-  const std::vector<Index> star = mesh.star(vertex);
-  for (const Index t : star)
-  {
-    search.setChanged(t);
-  }
+  const PlaceJudge judge(vertex, search, mesh);
   Point3& position = mesh.positions()[vertex];
   const Point3 before = position;
   std::vector<Point3> goals = placesFor(context, vertex, true, mesh);
   const auto [a, b, c] = cornersOf(mesh.triangles()[other], mesh.positions());
   const Point3 normal = facetNormal(a, b, c);
   goals.emplace_back(before - beyond * normal.dot(before - a) * normal);
-  const double limit = mesh.costOfStar(star) + 0.5 * strayCost; // so that nothing else flips
-  const Offset crossingBefore = crossingsOf(star, search);
-  std::pair<Offset, double> least{ crossingBefore, 0.0 };
+  PlaceJudge::Score least = judge.start();
   Point3 best = before;
-  const double radius = radiusAround(vertex, mesh);
-  const double startingGap = (mesh.onSurface(vertex, before) - before).norm();
   for (const Point3& goal : goals)
   {
     if (context.control.cancelled())
@@ -77,27 +135,7 @@ bool moveVertex(const RepairContext& context, Index vertex, Index other, Crossin
     for (const double way : { 1.0, 0.5, 0.25, 1.5 })
     {
       position = before + way * (goal - before);
-      const double cost = mesh.costOfStar(star);
-      if (!(cost < limit))
-      {
-        continue;
-      }
-      const Offset crossing = crossingsOf(star, search);
-      if (crossing >= crossingBefore || crossing > least.first)
-      {
-        continue;
-      }
-      const double gap = (mesh.onSurface(vertex, position) - position).norm();
-      if (gap > startingGap + mostGap * radius)
-      {
-        continue; // accuracy goes first
-      }
-      if (const std::pair<Offset, double> score{ crossing, cost + gapWeight * gap / radius };
-          score < least)
-      {
-        least = score;
-        best = position;
-      }
+      best = judge.isBetter(least) ? position : best;
     }
   }
   position = best;
@@ -152,9 +190,11 @@ std::vector<std::pair<Index, Index>> verticesOf(
 }
 
 /** Tries all that may part two triangles; tells how many steps it took. */
-Offset part(const RepairContext& context, Index first, Index second, CrossingSearch& search,
-  RepairedMesh& mesh, MeshEdits& edits)
+Offset part(const RepairContext& context, const std::pair<Index, Index>& pair,
+  CrossingSearch& search, RepairedMesh& mesh, MeshEdits& edits)
 {
+  const Index first = pair.first;
+  const Index second = pair.second;
   const auto cross = [&]()
   { return areCrossing(mesh.triangles()[first], mesh.triangles()[second], mesh.positions()); };
   if (!cross())
@@ -180,26 +220,23 @@ Offset part(const RepairContext& context, Index first, Index second, CrossingSea
 }
 }
 
-void repairCrossings(const RepairContext& context,
-  const std::vector<std::pair<Index, Index>>& pairs, CrossingSearch& search, RepairedMesh& mesh,
-  MeshEdits& edits)
+void repairCrossings(const RepairContext& context, const CrossingSearch::Pairs& pairs,
+  CrossingSearch& search, RepairedMesh& mesh, MeshEdits& edits)
 {
-  std::vector<std::pair<Index, Index>> left = pairs;
+  CrossingSearch::Pairs left = pairs;
   for (int pass = 0; pass < mostPasses && !left.empty(); ++pass)
   {
     Offset done = 0;
-    for (const auto& [a, b] : left)
+    for (const std::pair<Index, Index>& pair : left)
     {
       if (context.control.cancelled())
       {
         return;
       }
-      done += part(context, a, b, search, mesh, edits);
+      done += part(context, pair, search, mesh, edits);
     }
     if (done == 0 ||
-      !findPartable(
-        context.problem, search, mesh.triangles(), noLimit, context.control.silent(), left)
-         .ok())
+      !findPartable(context.problem, search, noLimit, context.control.silent(), left).ok())
     {
       return;
     }

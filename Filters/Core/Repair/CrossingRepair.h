@@ -30,9 +30,8 @@ namespace remesh
  * Cost: some hundred places for each pair, and at each a search for what crosses the triangles
  * around.
  */
-void repairCrossings(const RepairContext& context,
-  const std::vector<std::pair<Index, Index>>& pairs, CrossingSearch& search, RepairedMesh& mesh,
-  MeshEdits& edits);
+void repairCrossings(const RepairContext& context, const CrossingSearch::Pairs& pairs,
+  CrossingSearch& search, RepairedMesh& mesh, MeshEdits& edits);
 }
 
 #endif

@@ -50,6 +50,8 @@ public:
    */
   Status find(const RunControl& control, Pairs& pairs) const;
 
+  const std::vector<Triple>& triangles() const { return m_triangles; }
+
   /** How many triangles go through this one. Those without an area count only if they changed. */
   Offset count(Index triangle) const;
 

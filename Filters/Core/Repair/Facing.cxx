@@ -16,21 +16,21 @@ WrongTriangles leftWrong(const PlacementProblem& problem, const NearbySurface& s
   MeshSteps steps, const RunControl& control, InvertedSearch& search)
 {
   const std::vector<Point3>& centroids = problem.components.centroids;
-  std::vector<Point3> positions = centroids;
+  PlacedVertices placed;
+  placed.positions = centroids;
   std::vector<Triple> triangles = problem.triangles;
-  MeshEdits edits;
   WrongTriangles left;
-  Status status = repairMesh({ problem, surface, centroids, centroids, control }, steps, search,
-    triangles, positions, edits);
-  if (!status.ok() || edits.inverted == 0)
+  Status status = repairMesh(
+    { problem, surface, centroids, centroids, control }, steps, search, triangles, placed);
+  if (!status.ok() || placed.edits.inverted == 0)
   {
     return left;
   }
   std::vector<Index> wrong;
-  status = search.find(triangles, positions, control, wrong);
+  status = search.find(triangles, placed.positions, control, wrong);
   for (const Index t : wrong)
   {
-    const Facing facing = surface.facingOf(triangles[t], cornersOf(triangles[t], positions));
+    const Facing facing = surface.facingOf(triangles[t], cornersOf(triangles[t], placed.positions));
     (facing.cosine < 0.0 ? left.inverted : left.strays).push_back(t);
   }
   return left;
@@ -41,7 +41,7 @@ Status findSuspects(const PlacementProblem& problem, const WholeSurface& whole,
   const std::vector<Index>& inverted, const RunControl& control, std::vector<char>& suspects)
 {
   const Status status = findSuspects(
-    problem, whole, problem.triangles, problem.components.centroids, control, suspects);
+    problem, whole, { problem.components.centroids, problem.triangles }, control, suspects);
   for (const Index t : inverted)
   {
     suspects[t] = 1;

@@ -8,6 +8,36 @@
 
 namespace remesh
 {
+namespace
+{
+std::vector<Index> listMarked(const std::vector<char>& isMarked)
+{
+  std::vector<Index> marked;
+  for (std::size_t k = 0; k < isMarked.size(); ++k)
+  {
+    if (isMarked[k])
+    {
+      marked.push_back(static_cast<Index>(k));
+    }
+  }
+  return marked;
+}
+}
+
+/** Whether the last search, or in the first one the suspects, tell of a triangle. */
+bool InvertedSearch::isKnown(std::size_t triangle, const std::vector<Triple>& triangles,
+  const std::vector<Point3>& positions, const std::vector<char>* suspects) const
+{
+  if (m_triangles.empty())
+  {
+    return suspects && !(*suspects)[triangle];
+  }
+  const Triple& corners = triangles[triangle];
+  return corners == m_triangles[triangle] &&
+    std::all_of(
+      corners.begin(), corners.end(), [&](Index v) { return positions[v] == m_positions[v]; });
+}
+
 Status InvertedSearch::find(const std::vector<Triple>& triangles,
   const std::vector<Point3>& positions, const RunControl& control, std::vector<Index>& inverted,
   const std::vector<char>* suspects)
@@ -22,41 +52,21 @@ Status InvertedSearch::find(const std::vector<Triple>& triangles,
   {
     cones.emplace(m_surface.problem(), control);
   }
-  const auto isKnown = [&](std::size_t t)
-  {
-    if (first)
-    {
-      return suspects && !(*suspects)[t];
-    }
-    return triangles[t] == m_triangles[t] &&
-      std::all_of(triangles[t].begin(), triangles[t].end(),
-        [&](Index v) { return positions[v] == m_positions[v]; });
-  };
-  if (!forEachRange(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control.silent(),
-        [&](Offset begin, Offset end)
+  if (!forEachItem(Blocks::cut(static_cast<Offset>(triangles.size()), 64, 4096), control.silent(),
+        [&](Offset t)
         {
-          for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+          if (!this->isKnown(static_cast<std::size_t>(t), triangles, positions, suspects))
           {
-            if (!isKnown(t))
-            {
-              const Corners corners = cornersOf(triangles[t], positions);
-              m_isInverted[t] = cones ? m_surface.isInverted(triangles[t], corners, *cones)
-                                      : m_surface.isInverted(triangles[t], corners);
-            }
+            const Corners corners = cornersOf(triangles[t], positions);
+            m_isInverted[t] = cones ? m_surface.isInverted(triangles[t], corners, *cones)
+                                    : m_surface.isInverted(triangles[t], corners);
           }
         }))
   {
     m_triangles.clear(); // some of them are not judged
     return Status::cancelled();
   }
-  inverted.clear();
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (m_isInverted[t])
-    {
-      inverted.push_back(static_cast<Index>(t));
-    }
-  }
+  inverted = listMarked(m_isInverted);
   m_triangles.clear();
   if (!inverted.empty()) // else there is nothing to repair, and no other search
   {

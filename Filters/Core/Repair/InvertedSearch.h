@@ -42,6 +42,9 @@ public:
     const std::vector<char>* suspects = nullptr);
 
 private:
+  bool isKnown(std::size_t triangle, const std::vector<Triple>& triangles,
+    const std::vector<Point3>& positions, const std::vector<char>* suspects) const;
+
   const NearbySurface& m_surface;
   std::vector<char> m_isInverted;  ///< T, of the last search; empty before the first
   std::vector<Triple> m_triangles; ///< of the last search; empty if nothing was inverted

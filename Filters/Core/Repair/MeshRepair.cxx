@@ -32,12 +32,12 @@ public:
   };
 
   MeshCandidate(const MeshTask& task, InvertedSearch& search, std::vector<Triple>& triangles,
-    std::vector<Point3>& positions, MeshEdits& edits)
+    PlacedVertices& placed)
     : m_task(task)
     , m_search(search)
     , m_triangles(triangles)
-    , m_positions(positions)
-    , m_edits(edits)
+    , m_positions(placed.positions)
+    , m_edits(placed.edits)
   {
     this->readMesh();
   }
@@ -147,7 +147,7 @@ private:
     for (int rings = 1; rings <= maxRings && together && isInverted(); ++rings)
     {
       edits.movedVertices +=
-        untangle(context.problem, candidate.task().surface, triangle, rings, context.control, mesh);
+        untangle(candidate.task().surface, triangle, rings, context.control, mesh);
     }
     if (m_pass.mayWorsen && isInverted())
     {
@@ -196,12 +196,13 @@ Improvement<MeshCandidate>::Table tableOf(MeshSteps steps)
 }
 
 Status repairMesh(const MeshTask& task, MeshSteps steps, InvertedSearch& search,
-  std::vector<Triple>& triangles, std::vector<Point3>& positions, MeshEdits& edits)
+  std::vector<Triple>& triangles, PlacedVertices& placed)
 {
+  MeshEdits& edits = placed.edits;
   edits = MeshEdits{};
   const std::vector<Triple> dual = steps == MeshSteps::Move ? std::vector<Triple>() : triangles;
   {
-    MeshCandidate candidate(task, search, triangles, positions, edits);
+    MeshCandidate candidate(task, search, triangles, placed);
     Improvement<MeshCandidate>::Table table = tableOf(steps);
     Status status = candidate.judge(task.control);
     if (status.ok())
@@ -215,7 +216,7 @@ Status repairMesh(const MeshTask& task, MeshSteps steps, InvertedSearch& search,
   }
   if (edits.flippedEdges > 0)
   {
-    RepairedMesh repaired(task.problem, task.surface, task.shapes, triangles, positions);
+    RepairedMesh repaired(task.problem, task.surface, task.shapes, triangles, placed.positions);
     turnBack(dual, repaired, edits);
     edits.refilled = std::min(edits.refilled, edits.flippedEdges);
   }

@@ -64,11 +64,10 @@ struct MeshTask
  * @param steps which passes there are, and whether cavities are filled.
  * @param search a new one, or one that has searched earlier states of the same mesh.
  * @param triangles T, those of `task.problem.triangles` or changed ones; edge flips change them.
- * @param positions K; changed.
- * @param edits is replaced.
+ * @param placed its positions (K) are changed, its edits replaced.
  */
 Status repairMesh(const MeshTask& task, MeshSteps steps, InvertedSearch& search,
-  std::vector<Triple>& triangles, std::vector<Point3>& positions, MeshEdits& edits);
+  std::vector<Triple>& triangles, PlacedVertices& placed);
 }
 
 #endif

@@ -104,9 +104,8 @@ bool surfaceCrosses(const PlacementProblem& problem, const Triple& first, const 
 }
 
 /** Appends those of some pairs that can be parted; false when cancelled. */
-bool appendPartable(const PlacementProblem& problem,
-  const std::vector<std::pair<Index, Index>>& some, const std::vector<Triple>& triangles,
-  const RunControl& control, std::vector<std::pair<Index, Index>>& pairs)
+bool appendPartable(const PlacementProblem& problem, const CrossingSearch::Pairs& some,
+  const std::vector<Triple>& triangles, const RunControl& control, CrossingSearch::Pairs& pairs)
 {
   std::vector<char> stays(some.size(), 0);
   const bool done = forEachBlock(static_cast<Offset>(some.size()), control.silent(),
@@ -126,12 +125,11 @@ bool appendPartable(const PlacementProblem& problem,
 }
 }
 
-Status findPartable(const PlacementProblem& problem, const CrossingSearch& search,
-  const std::vector<Triple>& triangles, Offset most, const RunControl& control,
-  std::vector<std::pair<Index, Index>>& pairs)
+Status findPartable(const PlacementProblem& problem, const CrossingSearch& search, Offset most,
+  const RunControl& control, CrossingSearch::Pairs& pairs)
 {
   pairs.clear();
-  std::vector<std::pair<Index, Index>> found;
+  CrossingSearch::Pairs found;
   if (Status status = search.find(control, found); !status.ok())
   {
     return status;
@@ -139,9 +137,9 @@ Status findPartable(const PlacementProblem& problem, const CrossingSearch& searc
   const Blocks groups{ static_cast<Offset>(found.size()), pairsAtOnce };
   for (Offset group = 0; group < groups.count(); ++group)
   {
-    const std::vector<std::pair<Index, Index>> some(
+    const CrossingSearch::Pairs some(
       found.begin() + groups.begin(group), found.begin() + groups.end(group));
-    if (!appendPartable(problem, some, triangles, control, pairs))
+    if (!appendPartable(problem, some, search.triangles(), control, pairs))
     {
       return Status::cancelled();
     }

@@ -22,16 +22,14 @@ namespace remesh
  * Finds the pairs that can be parted. Each triangle has the facets that the cells of its corners
  * meet. A pair can be parted if no facet of one triangle goes through a facet of the other.
  *
- * @param search of the same triangles.
  * @param most the search ends when it has found more pairs than this: they are too many to part.
  * @param pairs the lower number first, ascending: all of them, or the first `most` + 1. Replaced.
  * @return Cancelled, then `pairs` is of no use; or success.
  * Deterministic. Cost: that of `search`, and for each pair of crossing triangles a sort of their
  * facets and a test of those facets whose boxes meet; in parallel.
  */
-Status findPartable(const PlacementProblem& problem, const CrossingSearch& search,
-  const std::vector<Triple>& triangles, Offset most, const RunControl& control,
-  std::vector<std::pair<Index, Index>>& pairs);
+Status findPartable(const PlacementProblem& problem, const CrossingSearch& search, Offset most,
+  const RunControl& control, CrossingSearch::Pairs& pairs);
 }
 
 #endif

@@ -31,16 +31,16 @@ struct Repair
 
   /** Turns back what faces against a surface, in copies of the mesh or in itself. */
   Status turnBack(const NearbySurface& surface, InvertedSearch& search, std::vector<Triple>& some,
-    std::vector<Point3>& positions, MeshEdits& edits) const
+    PlacedVertices& vertices) const
   {
     return repairMesh({ this->problem, surface, this->onSurface, this->start, this->control },
-      MeshSteps::Refill, search, some, positions, edits);
+      MeshSteps::Refill, search, some, vertices);
   }
 
   Status turnInverted(const NearbySurface& own)
   {
     InvertedSearch search(own);
-    return this->turnBack(own, search, this->triangles, this->placed.positions, this->placed.edits);
+    return this->turnBack(own, search, this->triangles, this->placed);
   }
 
   Verdict verdict() const
@@ -55,8 +55,8 @@ struct Repair
   Status turnStrays(const NearbySurface& own)
   {
     std::vector<char> suspects;
-    Status status = findSuspects(this->problem, this->whole, this->triangles,
-      this->placed.positions, this->control.silent(), suspects);
+    Status status = findSuspects(this->problem, this->whole,
+      { this->placed.positions, this->triangles }, this->control.silent(), suspects);
     if (!status.ok() || std::none_of(suspects.begin(), suspects.end(), [](char s) { return s; }))
     {
       return status;
@@ -77,7 +77,7 @@ struct Repair
     }
     std::vector<Triple> others = this->triangles;
     PlacedVertices moved = this->placed;
-    status = this->turnBack(surface, search, others, moved.positions, moved.edits);
+    status = this->turnBack(surface, search, others, moved);
     return status.ok() ? this->keepIfBetter(own, std::move(others), std::move(moved)) : status;
   }
 
@@ -108,8 +108,7 @@ struct Repair
     CrossingSearch search(this->triangles, this->placed.positions, this->control);
     std::vector<std::pair<Index, Index>> pairs;
     const Offset most = mostStrays(static_cast<Offset>(this->triangles.size()));
-    Status status =
-      findPartable(this->problem, search, this->triangles, most, this->control, pairs);
+    Status status = findPartable(this->problem, search, most, this->control, pairs);
     this->placed.crossings = static_cast<Offset>(pairs.size());
     if (!status.ok() || pairs.empty() || this->placed.crossings > most)
     {
@@ -160,7 +159,7 @@ Status repairPlacedMesh(const PlacementProblem& problem, VertexPlacement way,
   }
   const std::vector<Point3> known =
     way == VertexPlacement::Surface ? onSurface : std::vector<Point3>();
-  return locatePlaces(problem, own, way == VertexPlacement::Centroid ? start : known,
-    placed.positions, control, locations);
+  return locatePlaces(
+    own, way == VertexPlacement::Centroid ? start : known, placed.positions, control, locations);
 }
 }

@@ -138,6 +138,33 @@ Offset ReserveRelease::numberOfPlaces(const SiteCandidate& candidate) const
   return std::max(candidate.wantedVertices() - given - left, Offset(0));
 }
 
+/** The sites without those that go; places come before the other sites that repairs added. */
+Sites ReserveRelease::exchanged(const Sites& before)
+{
+  std::vector<Index> gone = m_gone;
+  std::sort(gone.begin(), gone.end());
+  m_stayed.clear();
+  for (Index site = m_firstAdded; site < before.count(); ++site)
+  {
+    if (!isIn(gone, site))
+    {
+      m_stayed.push_back(site);
+    }
+  }
+  Sites sites{ before.dimension, before.fixed,
+    { before.site(0), before.site(0) + Offset(m_firstAdded) * before.dimension } };
+  for (const Place& place : m_places)
+  {
+    sites.coordinates.insert(sites.coordinates.end(), place.begin(), place.end());
+  }
+  for (const Index site : m_stayed)
+  {
+    sites.coordinates.insert(
+      sites.coordinates.end(), before.site(site), before.site(site) + before.dimension);
+  }
+  return sites;
+}
+
 Status ReserveRelease::edit(
   SiteCandidate& candidate, int /*edit*/, const RunControl& control, bool& done)
 {
@@ -165,27 +192,7 @@ Status ReserveRelease::edit(
   m_places = this->findPlaces(candidate);
   const auto most = static_cast<Offset>(m_places.size());
   m_places.resize(static_cast<std::size_t>(std::min(this->numberOfPlaces(candidate), most)));
-  std::vector<Index> gone = m_gone;
-  std::sort(gone.begin(), gone.end());
-  m_stayed.clear();
-  for (Index site = m_firstAdded; site < before.count(); ++site)
-  {
-    if (!isIn(gone, site))
-    {
-      m_stayed.push_back(site);
-    }
-  }
-  Sites sites{ before.dimension, before.fixed,
-    { before.site(0), before.site(0) + Offset(m_firstAdded) * before.dimension } };
-  for (const Place& place : m_places)
-  {
-    sites.coordinates.insert(sites.coordinates.end(), place.begin(), place.end());
-  }
-  for (const Index site : m_stayed)
-  {
-    sites.coordinates.insert(
-      sites.coordinates.end(), before.site(site), before.site(site) + before.dimension);
-  }
+  Sites sites = this->exchanged(before);
   const Offset given = std::min(candidate.extraPoints(), static_cast<Offset>(m_gone.size()));
   candidate.replaceSites(
     std::move(sites), static_cast<Index>(m_stayed.size()), candidate.extraPoints() - given);

@@ -45,6 +45,7 @@ private:
   void choose(const SiteCandidate& candidate, const std::vector<Index>& candidates);
   std::vector<Place> findPlaces(const SiteCandidate& candidate) const;
   Offset numberOfPlaces(const SiteCandidate& candidate) const;
+  Sites exchanged(const Sites& before);
   int failuresOf(const SiteCandidate& candidate, Index site) const;
 
   std::map<Place, int> m_failures; ///< of a site: how often faults arose where it was missing

@@ -135,12 +135,28 @@ void mendTriangle(
   }
 }
 
+namespace
+{
+/** Steps that can be undone. */
+struct Steps
+{
+  std::vector<std::pair<Index, Point3>> moved; ///< vertices, and where they were
+  std::vector<RepairedMesh::EdgeFlip> flipped; ///< what flips the edges back
+
+  void undo(RepairedMesh& mesh) const
+  {
+    std::for_each(flipped.rbegin(), flipped.rend(), [&](const auto& back) { mesh.apply(back); });
+    std::for_each(moved.rbegin(), moved.rend(),
+      [&](const auto& move) { mesh.positions()[move.first] = move.second; });
+  }
+};
+}
+
 void mendAround(const RepairContext& context, Index triangle, RepairedMesh& mesh, MeshEdits& edits)
 {
   Triple vertices = mesh.triangles()[triangle];
   std::sort(vertices.begin(), vertices.end());
-  std::vector<std::pair<Index, Point3>> moved;
-  std::vector<RepairedMesh::EdgeFlip> turned;
+  Steps steps;
   for (const Index vertex : vertices)
   {
     if (context.control.cancelled())
@@ -150,7 +166,7 @@ void mendAround(const RepairContext& context, Index triangle, RepairedMesh& mesh
     const Point3 before = mesh.positions()[vertex];
     if (moveVertex(context, vertex, false, mesh))
     {
-      moved.emplace_back(vertex, before);
+      steps.moved.emplace_back(vertex, before);
     }
   }
   for (const Index vertex : vertices)
@@ -162,19 +178,17 @@ void mendAround(const RepairContext& context, Index triangle, RepairedMesh& mesh
         RepairedMesh::EdgeFlip back;
         if (flipEdge(context, t, k, mesh, &back))
         {
-          turned.push_back(back);
+          steps.flipped.push_back(back);
         }
       }
     }
   }
   if (mesh.isInverted(mesh.triangles()[triangle]))
   {
-    std::for_each(turned.rbegin(), turned.rend(), [&](const auto& back) { mesh.apply(back); });
-    std::for_each(moved.rbegin(), moved.rend(),
-      [&](const auto& move) { mesh.positions()[move.first] = move.second; });
+    steps.undo(mesh);
     return;
   }
-  edits.movedVertices += static_cast<Offset>(moved.size());
-  edits.flippedEdges += static_cast<Offset>(turned.size());
+  edits.movedVertices += static_cast<Offset>(steps.moved.size());
+  edits.flippedEdges += static_cast<Offset>(steps.flipped.size());
 }
 }

@@ -24,8 +24,7 @@ constexpr double noError = 1e-6;   // as if the triangles were a thousandth of t
 class Patch
 {
 public:
-  Patch(const PlacementProblem& problem, const NearbySurface& surface, Index triangle, int rings,
-    RepairedMesh& mesh)
+  Patch(const NearbySurface& surface, Index triangle, int rings, RepairedMesh& mesh)
     : m_surface(surface)
     , m_mesh(mesh)
   {
@@ -40,7 +39,8 @@ public:
       }
       sortUnique(m_vertices);
     }
-    const auto isFixed = [&](Index v) { return problem.isFixed(static_cast<std::size_t>(v)); };
+    const auto isFixed = [&](Index v)
+    { return surface.problem().isFixed(static_cast<std::size_t>(v)); };
     m_vertices.erase(
       std::remove_if(m_vertices.begin(), m_vertices.end(), isFixed), m_vertices.end());
     for (const Index vertex : m_vertices)
@@ -219,10 +219,10 @@ private:
 };
 }
 
-Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, Index triangle,
-  int rings, const RunControl& control, RepairedMesh& mesh)
+Offset untangle(const NearbySurface& surface, Index triangle, int rings, const RunControl& control,
+  RepairedMesh& mesh)
 {
-  Patch patch(problem, surface, triangle, rings, mesh);
+  Patch patch(surface, triangle, rings, mesh);
   if (patch.numberOfVertices() == 0)
   {
     return 0;

@@ -27,8 +27,8 @@ namespace remesh
  *         inverted, if the surface would be much farther away, or if the run is cancelled.
  * Cost: up to some thousand searches for the closest facet, each among the pieces of a few cells.
  */
-Offset untangle(const PlacementProblem& problem, const NearbySurface& surface, Index triangle,
-  int rings, const RunControl& control, RepairedMesh& mesh);
+Offset untangle(const NearbySurface& surface, Index triangle, int rings, const RunControl& control,
+  RepairedMesh& mesh);
 }
 
 #endif
