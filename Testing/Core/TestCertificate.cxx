@@ -28,8 +28,8 @@ Certificate certificateOf(
   const EmbeddedSurface& surface, const test::Computed& result, const test::DualOf& made)
 {
   Certificate certificate;
-  CHECK(certify(surface, made.edges, result.diagram, made.components, made.dual, nullptr,
-    RunControl(), certificate)
+  CHECK(certify(
+    { surface, made.edges, result.diagram, made.components }, made.dual, RunControl(), certificate)
           .ok());
   return certificate;
 }
@@ -88,9 +88,8 @@ void checkRandomSites(const TriangleSoup& soup, int dimension, Offset most, Coun
     const test::Computed result = test::computed(surface, sites);
     const test::DualOf made = test::dualOf(mesh, surface, result);
     std::vector<char> isDisk;
-    CHECK(
-      findDisks(surface, made.edges, result.diagram, made.components, nullptr, RunControl(), isDisk)
-        .ok());
+    CHECK(findDisks({ surface, made.edges, result.diagram, made.components }, RunControl(), isDisk)
+            .ok());
     const std::vector<int> expected = eulerCharacteristics(mesh, surface, result, made);
     CHECK_EQUAL(isDisk.size(), expected.size());
     for (std::size_t k = 0; k < isDisk.size(); ++k)

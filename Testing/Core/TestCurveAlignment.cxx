@@ -49,8 +49,8 @@ Index addedTo(const Part& part, Offset points, bool align, Index& sampled)
   }
   sampled = sites.numberOfPoints();
   CHECK(sampled <= before + before / 20);
-  return separateCurves(part.view(), std::vector<char>(part.features.curves.size(), 1), points,
-    sampler.spacing(), RunControl(), sites);
+  return separateCurves(part.view(), std::vector<char>(part.features.curves.size(), 1),
+    { points, sampler.spacing() }, RunControl(), sites);
 }
 
 /** Narrow, and the outer circle longer than the inner one by up to some sections. */

@@ -59,7 +59,7 @@ void testLevels()
     for (Index site = 0; site < cube.sites.sites.count(); ++site)
     {
       const FeaturePoint& point = cube.sites.points[cube.sites.pointOfSite[site]];
-      const Station level = levelWith(cube.view(), cube.sites, site, curve, foot, place);
+      const Station level = levelWith(cube.view(), cube.sites, site, { curve, foot, place });
       const double fromFront = (point.place - from).norm();
       const double fromBack = (point.place - to).norm();
       const FeatureCurve* other =
@@ -99,8 +99,8 @@ void testBothEnds()
     const Eigen::VectorXd place = 0.5 *
       (cube.coordinates(cube.sites.firstCopy[ends.front()]) +
         cube.coordinates(cube.sites.firstCopy[ends.back()]));
-    const Station level = levelWith(
-      { cube.mesh, cube.surface, twins }, cube.sites, site, curve, Station{ 0, 0.5 }, place);
+    const Station level =
+      levelWith({ cube.mesh, cube.surface, twins }, cube.sites, site, { curve, { 0, 0.5 }, place });
     if (nearest < 1.0)
     {
       CHECK_NEAR(level.t, fromFront <= fromBack ? nearest : 1.0 - nearest, 1e-6);

@@ -26,9 +26,10 @@ inline DualOf dualOf(
 {
   DualOf made;
   made.edges = buildEdgeTable(mesh.facetPoints);
-  CHECK(findComponents(mesh, surface, result.sites, made.edges, result.diagram, result.owners,
-    RunControl(), made.components)
-          .ok());
+  CHECK(
+    findComponents({ mesh, { surface, result.sites, result.diagram }, made.edges, result.owners },
+      RunControl(), made.components)
+      .ok());
   CHECK(buildDual(result.diagram, made.components, RunControl(), made.dual).ok());
   return made;
 }

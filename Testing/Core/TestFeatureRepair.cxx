@@ -2,6 +2,7 @@
 // narrow bars between windows come out right, though features take more points than asked for.
 
 #include "Delaunay/FeatureRepair.h"
+#include "Features/CurveSeparation.h"
 #include "Features/FeatureGraph.h"
 #include "Support/Random.h"
 #include "TestDuals.h"
@@ -57,19 +58,24 @@ struct Framed
     const test::Computed cells = test::computed(this->surface, sites);
     const EdgeTable edges = buildCutEdgeTable(this->mesh, &this->features, RunControl());
     Components components;
-    CHECK(findComponents(this->mesh, this->surface, sites, edges, cells.diagram, cells.owners,
-      RunControl(), components, &this->featureSites)
+    CHECK(findComponents({ this->mesh, { this->surface, sites, cells.diagram }, edges, cells.owners,
+                           &this->featureSites },
+      RunControl(), components)
             .ok());
-    return sewAlongFeatures(cells.diagram, components, this->view(), this->featureSites, sites);
+    return sewAlongFeatures(
+      { this->view().surface, sites, cells.diagram }, components, this->view(), this->featureSites);
   }
 
   /** @param mostPoints for the curves to be kept apart; 0: they are not. */
   Index refine(
     const std::vector<Intrusion>& intrusions, std::vector<Index>& joining, Offset mostPoints = 0)
   {
-    const Sites sites = this->featureSites.sites;
-    return refineCurves(
-      this->view(), intrusions, sites, true, mostPoints, RunControl(), this->featureSites, joining);
+    const double spacing = std::sqrt(this->surface.siteMeasure / this->featureSites.sites.count());
+    const RefinedCurves refined = refineCurves(this->view(), intrusions, this->featureSites);
+    joining = refined.joining;
+    return refined.places +
+      separateCurves(
+        this->view(), refined.curves, { mostPoints, spacing }, RunControl(), this->featureSites);
   }
 
   double startOf(Index curve, int axis) const
@@ -190,13 +196,14 @@ void testCoarseSections()
   const Sites& sites = strip.featureSites.sites;
   const test::Computed cells = test::computed(strip.surface, sites);
   Components components;
-  CHECK(findComponents(strip.mesh, strip.surface, sites, edges, cells.diagram, cells.owners,
-    RunControl(), components, &strip.featureSites)
+  CHECK(findComponents({ strip.mesh, { strip.surface, sites, cells.diagram }, edges, cells.owners,
+                         &strip.featureSites },
+    RunControl(), components)
           .ok());
-  const Seams seams =
-    sewAlongFeatures(cells.diagram, components, strip.view(), strip.featureSites, sites);
+  const Seams seams = sewAlongFeatures(
+    { strip.view().surface, sites, cells.diagram }, components, strip.view(), strip.featureSites);
   const auto coarse = [&](const std::vector<Triple>& flipped)
-  { return coarseSections(flipped, components, seams, strip.view(), strip.featureSites); };
+  { return coarseSections(flipped, seams, strip.view(), strip.featureSites); };
   CHECK(seams.encroachments.size() >= 15);
   std::vector<Triple> all;
   for (const Intrusion& by : seams.encroachments)
@@ -257,9 +264,8 @@ void testLattice()
       options.maximumExtraPoints = extra;
       options.seed = seed;
       RemeshResult result;
-      CHECK(
-        remesh::remesh(plate.mesh, plate.surface, options, RunControl(), result, &plate.features)
-          .ok());
+      CHECK(remesh::remesh(plate.mesh, plate.surface, options, RunControl(), result, &plate.features)
+              .ok());
       CHECK(result.featureSites.numberOfPoints() > asked - 30); // as good as all of them
       CHECK(result.topology.preserved());
       CHECK(test::shapeOf(result.dual.triangles).isManifold());

@@ -83,12 +83,12 @@ void testMovesOnlyDonors()
     const test::Computed result = test::computed(surface, sites);
     const test::DualOf made = test::dualOf(mesh, surface, result);
     Certificate certificate;
-    CHECK(certify(surface, made.edges, result.diagram, made.components, made.dual, nullptr,
-      RunControl(), certificate)
+    CHECK(certify({ surface, made.edges, result.diagram, made.components }, made.dual, RunControl(),
+      certificate)
             .ok());
     const VertexPlaces places{ surface, result.sites, result.diagram };
     const Refinement refinement =
-      refineTopology(places, made.components, made.dual, certificate, false);
+      refineTopology({ places, made.components, made.dual }, certificate, false);
     const auto count = static_cast<Index>(refinement.added.size() / 3);
     CHECK(refinement.removed.empty());
     CHECK_EQUAL(count > 0, !certificate.holds());
@@ -97,8 +97,8 @@ void testMovesOnlyDonors()
     for (const Index extra : { 0, 2, 400 })
     {
       Sites revised = sites;
-      const Revision revision = reviseSites(places, made.components, made.dual, certificate,
-        result.sums, refinement, made.components.count() + extra, kept, revised);
+      const Revision revision = reviseSites({ places, made.components, made.dual }, result.sums,
+        refinement, { certificate, made.components.count() + extra, kept }, revised);
       CHECK(revision.added >= count);
       CHECK_EQUAL(revision.added - revision.removed, extra);
       CHECK_EQUAL(revised.count(), sites.count() + extra);
@@ -155,8 +155,8 @@ void testDonorsApart()
   for (const Index fewer : { 10, 100 })
   {
     Sites revised = sites;
-    const Revision revision = reviseSites(places, made.components, made.dual, Certificate(),
-      result.sums, Refinement(), made.components.count() - fewer, 0, revised);
+    const Revision revision = reviseSites({ places, made.components, made.dual }, result.sums,
+      Refinement(), { Certificate(), made.components.count() - fewer, 0 }, revised);
     CHECK_EQUAL(revision.removed, fewer);
     std::set<std::vector<double>> left;
     for (Index i = 0; i < revised.count(); ++i)
@@ -261,8 +261,9 @@ void testClosedPatches()
   Refinement refinement;
   refinement.removed.resize(1000);
   std::iota(refinement.removed.begin(), refinement.removed.end(), Index(500));
-  const Revision revision = reviseSites({ parts.surface, computed.sites, computed.diagram },
-    made.components, made.dual, Certificate(), computed.sums, refinement, 0, 0, sites);
+  const Revision revision =
+    reviseSites({ { parts.surface, computed.sites, computed.diagram }, made.components, made.dual },
+      computed.sums, refinement, { Certificate(), 0, 0 }, sites);
   CHECK_EQUAL(revision.removed, 2000 - 4 * parts.features.numberOfPatches);
   for (const Index count : parts.countSites(sites))
   {
@@ -282,7 +283,7 @@ void testRefineTriangles()
   for (Index t = 0; t < count; t += 50)
   {
     const Refinement refinement =
-      refineTriangles(places, made.components, made.dual, { t, (t + 1) % count, t });
+      refineTriangles({ places, made.components, made.dual }, { t, (t + 1) % count, t });
     CHECK(refinement.removed.empty());
     CHECK(refinement.added.size() == 3 || refinement.added.size() == 6);
     double least = std::numeric_limits<double>::infinity();
@@ -298,7 +299,7 @@ void testRefineTriangles()
   }
   std::vector<Index> all(made.dual.triangles.size());
   std::iota(all.begin(), all.end(), Index(0));
-  const Refinement refinement = refineTriangles(places, made.components, made.dual, all);
+  const Refinement refinement = refineTriangles({ places, made.components, made.dual }, all);
   CHECK(refinement.added.size() / 3 <= static_cast<std::size_t>(made.components.count()) / 3);
   CHECK(refinement.meetings.size() == refinement.added.size() / 3);
 }

@@ -25,16 +25,15 @@ constexpr Index ofFour = whole / 4;
 class DiskFinder
 {
 public:
-  DiskFinder(const EmbeddedSurface& surface, const EdgeTable& edges, const Diagram& diagram,
-    const Components& components, const Seams* seams)
-    : m_surface(surface)
-    , m_edges(edges)
-    , m_diagram(diagram)
-    , m_components(components)
-    , m_seams(seams)
-    , m_firstFacets(static_cast<std::size_t>(surface.numberOfCorners()))
-    , m_onBorder(static_cast<std::size_t>(surface.numberOfCorners()), 0)
-    , m_inSeam(static_cast<std::size_t>(components.count()), 0)
+  explicit DiskFinder(const CellComplex& cells)
+    : m_surface(cells.surface)
+    , m_edges(cells.edges)
+    , m_diagram(cells.diagram)
+    , m_components(cells.components)
+    , m_seams(cells.seams)
+    , m_firstFacets(static_cast<std::size_t>(m_surface.numberOfCorners()))
+    , m_onBorder(static_cast<std::size_t>(m_surface.numberOfCorners()), 0)
+    , m_inSeam(static_cast<std::size_t>(m_components.count()), 0)
     , m_isPinched(m_inSeam.size(), 0)
     , m_hasCollar(m_inSeam.size(), 0)
     , m_fromCollar(m_inSeam.size(), 0)
@@ -153,6 +152,23 @@ private:
       : 0;
   }
 
+  /** The piece of the same site beyond a side on an edge, or another one's within the facet. */
+  Offset pieceBeyond(Index piece, Index across) const
+  {
+    const Index facet = m_diagram.facets[piece];
+    if (across >= 0)
+    {
+      return m_diagram.pieceOf(facet, across);
+    }
+    if (!this->isInside(facet, across))
+    {
+      return -1;
+    }
+    const Index edge = m_edges.facetEdges[facet][-1 - across];
+    const Index* around = m_edges.edgeFacets.data() + m_edges.edgeFacetsBegin[edge];
+    return m_diagram.pieceOf(around[around[0] == facet ? 1 : 0], m_diagram.sites[piece]);
+  }
+
   /** Walks from piece to piece, and through the collar. */
   Index countParts(Index component) const
   {
@@ -160,30 +176,16 @@ private:
     const auto end = m_components.pieces.begin() + m_components.pieceBegin[component + 1];
     const auto count = static_cast<Index>(end - begin);
     DisjointSets sets(static_cast<std::size_t>(count) + 1); // the last is the collar
-    const auto unite = [&](Index k, Offset other)
-    {
-      if (other >= 0 && m_components.ofPiece[other] == component)
-      {
-        const auto found = std::lower_bound(begin, end, static_cast<Index>(other));
-        sets.unite(k, static_cast<Index>(found - begin));
-      }
-    };
     for (Index k = 0; k < count; ++k)
     {
       const Index piece = begin[k];
-      const Index facet = m_diagram.facets[piece];
       for (Offset v = m_diagram.vertexBegin[piece]; v < m_diagram.vertexBegin[piece + 1]; ++v)
       {
-        const Index across = m_diagram.across[v];
-        if (across >= 0)
+        const Offset other = this->pieceBeyond(piece, m_diagram.across[v]);
+        if (other >= 0 && m_components.ofPiece[other] == component)
         {
-          unite(k, m_diagram.pieceOf(facet, across));
-        }
-        else if (this->isInside(facet, across))
-        {
-          const Index edge = m_edges.facetEdges[facet][-1 - across];
-          const Index* around = m_edges.edgeFacets.data() + m_edges.edgeFacetsBegin[edge];
-          unite(k, m_diagram.pieceOf(around[around[0] == facet ? 1 : 0], m_diagram.sites[piece]));
+          const auto found = std::lower_bound(begin, end, static_cast<Index>(other));
+          sets.unite(k, static_cast<Index>(found - begin));
         }
       }
       if (std::binary_search(m_contacts.begin(), m_contacts.end(), piece))
@@ -214,21 +216,14 @@ private:
 };
 }
 
-Status findDisks(const EmbeddedSurface& surface, const EdgeTable& edges, const Diagram& diagram,
-  const Components& components, const Seams* seams, const RunControl& control,
-  std::vector<char>& isDisk)
+Status findDisks(const CellComplex& cells, const RunControl& control, std::vector<char>& isDisk)
 {
-  DiskFinder finder(surface, edges, diagram, components, seams);
-  isDisk.resize(static_cast<std::size_t>(components.count()));
+  DiskFinder finder(cells);
+  const Index count = cells.components.count();
+  isDisk.resize(static_cast<std::size_t>(count));
   const bool done = finder.prepare(control) &&
-    forEachRange(Blocks::cut(components.count(), 256, 4096), control,
-      [&](Offset begin, Offset end)
-      {
-        for (Offset k = begin; k < end; ++k)
-        {
-          isDisk[k] = finder.isDisk(static_cast<Index>(k));
-        }
-      });
+    forEachItem(Blocks::cut(count, 256, 4096), control,
+      [&](Offset k) { isDisk[k] = finder.isDisk(static_cast<Index>(k)); });
   return done ? Status::success() : Status::cancelled();
 }
 }

@@ -10,19 +10,26 @@
 
 namespace remesh
 {
+/** The cells of a diagram, as a complex of pieces. */
+struct CellComplex
+{
+  const EmbeddedSurface& surface;
+  const EdgeTable& edges; ///< of the surface as it is embedded (cut open along features)
+  const Diagram& diagram;
+  const Components& components;
+  const Seams* seams = nullptr; ///< if there are features
+};
+
 /**
  * For each component, whether it is connected and has Euler characteristic 1, its stretches of the
  * collar included (see Certificate.h); at a pinch, whether all parts of it together have 1 for
  * each. That it borders on another one is left to the caller.
  *
- * @param edges of the surface as it is embedded (cut open along features), of two facets at most,
- *        and no point of it in two fans of facets.
+ * @param cells on a surface with edges of two facets at most, and no point in two fans of facets.
  * @return Cancelled; then `isDisk` is of no use.
  * Cost: O(P) but for the look-up of pieces in their facets; in parallel.
  */
-Status findDisks(const EmbeddedSurface& surface, const EdgeTable& edges, const Diagram& diagram,
-  const Components& components, const Seams* seams, const RunControl& control,
-  std::vector<char>& isDisk);
+Status findDisks(const CellComplex& cells, const RunControl& control, std::vector<char>& isDisk);
 }
 
 #endif

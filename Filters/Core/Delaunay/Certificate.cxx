@@ -1,6 +1,5 @@
 #include "Delaunay/Certificate.h"
 
-#include "Delaunay/CellDisks.h"
 #include "Support/SortUnique.h"
 
 #include <algorithm>
@@ -11,10 +10,30 @@ namespace
 {
 using Pair = std::pair<Index, Index>;
 
-/** The two components beside each point where the border of the surface passes between cells. */
-std::vector<Pair> findCrossings(
-  const EdgeTable& edges, const Diagram& diagram, const Components& components, const Seams* seams)
+/** Calls `add` for the components of two pieces of a facet that meet on one of its edges. */
+template <class Add>
+void addOnEdge(const CellComplex& cells, Index facet, Index edge, const Add& add)
 {
+  const auto& [surface, edges, diagram, components, seams] = cells;
+  for (Offset p = diagram.facetBegin[facet]; p < diagram.facetBegin[facet + 1]; ++p)
+  {
+    for (Offset v = diagram.vertexBegin[p]; v < diagram.vertexBegin[p + 1]; ++v)
+    {
+      const Index incoming = diagram.acrossIncoming(p, v);
+      if (const Index side = diagram.across[v];
+          incoming >= 0 && side < 0 && edges.facetEdges[facet][-1 - side] == edge)
+      {
+        add(components.ofPiece[p], components.ofPiece[diagram.pieceOf(facet, incoming)]);
+      }
+    }
+  }
+}
+
+/** The two components beside each point where the border of the surface passes between cells. */
+std::vector<Pair> findCrossings(const CellComplex& cells)
+{
+  const EdgeTable& edges = cells.edges;
+  const Seams* seams = cells.seams;
   std::vector<Pair> crossings;
   const auto add = [&](Index a, Index b)
   {
@@ -34,22 +53,9 @@ std::vector<Pair> findCrossings(
   {
     for (Index edge = 0; edge < edges.numberOfEdges(); ++edge)
     {
-      if (edges.valence(edge) != 1)
+      if (edges.valence(edge) == 1)
       {
-        continue;
-      }
-      const Index facet = edges.edgeFacets[edges.edgeFacetsBegin[edge]];
-      for (Offset p = diagram.facetBegin[facet]; p < diagram.facetBegin[facet + 1]; ++p)
-      {
-        for (Offset v = diagram.vertexBegin[p]; v < diagram.vertexBegin[p + 1]; ++v)
-        {
-          const Index incoming = diagram.acrossIncoming(p, v);
-          if (const Index side = diagram.across[v];
-              incoming >= 0 && side < 0 && edges.facetEdges[facet][-1 - side] == edge)
-          {
-            add(components.ofPiece[p], components.ofPiece[diagram.pieceOf(facet, incoming)]);
-          }
-        }
+        addOnEdge(cells, edges.edgeFacets[edges.edgeFacetsBegin[edge]], edge, add);
       }
     }
   }
@@ -171,15 +177,15 @@ void checkCells(const std::vector<char>& isDisk, const std::vector<char>& overru
 }
 }
 
-Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Diagram& diagram,
-  const Components& components, const Dual& dual, const Seams* seams, const RunControl& control,
-  Certificate& certificate)
+Status certify(
+  const CellComplex& cells, const Dual& dual, const RunControl& control, Certificate& certificate)
 {
   certificate = Certificate{};
+  const Seams* seams = cells.seams;
+  const Index count = cells.components.count();
   const RunControl silent = control.silent();
   std::vector<char> isDisk;
-  if (Status status = findDisks(surface, edges, diagram, components, seams, silent, isDisk);
-      !status.ok())
+  if (Status status = findDisks(cells, silent, isDisk); !status.ok())
   {
     return status;
   }
@@ -189,9 +195,9 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
       static_cast<Index>(std::count(seams->components.begin(), seams->components.end(), noIndex));
     certificate.lostPoints += seams->isComplete ? 0 : 1;
   }
-  const std::vector<Pair> crossings = findCrossings(edges, diagram, components, seams);
+  const std::vector<Pair> crossings = findCrossings(cells);
   const std::vector<Pair> crowded = findCrowded(seams);
-  const std::vector<char> overrun = areOverrun(crossings, seams, components.count());
+  const std::vector<char> overrun = areOverrun(crossings, seams, count);
   if (dual.repeated.empty())
   {
     checkCells(isDisk, overrun, dual.triangles, certificate);
@@ -202,8 +208,8 @@ Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Dia
     std::vector<Triple> meetings = dual.triangles;
     meetings.insert(meetings.end(), dual.repeated.begin(), dual.repeated.end());
     checkCells(isDisk, overrun, meetings, certificate);
-    checkEdges(countEdgeValences(meetings, components.count(), silent).irregular, crossings,
-      crowded, certificate);
+    checkEdges(
+      countEdgeValences(meetings, count, silent).irregular, crossings, crowded, certificate);
   }
   certificate.vertices = dual.repeated;
   return control.cancelled() ? Status::cancelled() : Status::success();

@@ -42,8 +42,8 @@
 #ifndef remesh_Certificate_h
 #define remesh_Certificate_h
 
+#include "Delaunay/CellDisks.h"
 #include "Delaunay/Dual.h"
-#include "Embedding/EmbeddedSurface.h"
 
 namespace remesh
 {
@@ -65,14 +65,12 @@ struct Certificate
 };
 
 /**
- * @param edges of the surface as it is embedded (cut open along features).
- * @param seams of the dual, or nullptr without features.
+ * @param dual of these cells.
  * @return Cancelled; then `certificate` is of no use.
  * Cost: O(P) but for the look-up of pieces in their facets; in parallel.
  */
-Status certify(const EmbeddedSurface& surface, const EdgeTable& edges, const Diagram& diagram,
-  const Components& components, const Dual& dual, const Seams* seams, const RunControl& control,
-  Certificate& certificate);
+Status certify(
+  const CellComplex& cells, const Dual& dual, const RunControl& control, Certificate& certificate);
 }
 
 #endif

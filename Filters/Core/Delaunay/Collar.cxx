@@ -16,6 +16,33 @@ struct Stretch
   double end; ///< in [0, 1] along the facet's sense of rotation
 };
 
+/** Where the side of a piece on edge k of its facet starts, or -1. */
+Offset sideOn(const Diagram& diagram, Offset piece, int k)
+{
+  for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
+  {
+    if (diagram.across[v] == -1 - k)
+    {
+      return v;
+    }
+  }
+  return -1;
+}
+
+/** The first piece with a side on edge k of a facet that starts at its corner k, or -1. */
+Offset pieceAtCorner(const Diagram& diagram, Index facet, int k)
+{
+  for (Offset piece = diagram.facetBegin[facet]; piece < diagram.facetBegin[facet + 1]; ++piece)
+  {
+    const Offset v = sideOn(diagram, piece, k);
+    if (v >= 0 && diagram.acrossIncoming(piece, v) == -1 - (k + 2) % 3)
+    {
+      return piece;
+    }
+  }
+  return -1;
+}
+
 /**
  * The pieces along edge k of a facet, in the facet's sense of rotation; false if they do not reach
  * from one end to the other.
@@ -24,53 +51,24 @@ bool listStretches(const VertexPlaces& places, Index facet, int k, std::vector<S
 {
   const Diagram& diagram = places.diagram;
   stretches.clear();
-  const auto edgeOf = [&](Offset piece) -> Offset
-  {
-    for (Offset v = diagram.vertexBegin[piece]; v < diagram.vertexBegin[piece + 1]; ++v)
-    {
-      if (diagram.across[v] == -1 - k)
-      {
-        return v;
-      }
-    }
-    return -1;
-  };
   const auto pieces =
     static_cast<std::size_t>(diagram.facetBegin[facet + 1] - diagram.facetBegin[facet]);
-  const auto followerOf = [&](Offset piece, Offset vertex) {
-    return vertex + 1 == diagram.vertexBegin[piece + 1] ? diagram.vertexBegin[piece] : vertex + 1;
-  };
-  // The first is the piece with the facet's corner k.
-  for (Offset piece = diagram.facetBegin[facet]; piece < diagram.facetBegin[facet + 1]; ++piece)
+  for (Offset at = pieceAtCorner(diagram, facet, k); at >= 0;)
   {
-    const Offset v = edgeOf(piece);
-    if (v < 0)
+    const Offset begin = sideOn(diagram, at, k);
+    if (begin < 0 || stretches.size() == pieces)
     {
-      continue;
+      break;
     }
-    const Offset before =
-      v == diagram.vertexBegin[piece] ? diagram.vertexBegin[piece + 1] - 1 : v - 1;
-    if (diagram.across[before] != -1 - (k + 2) % 3)
+    const Offset first = diagram.vertexBegin[at];
+    const Offset end = begin + 1 == diagram.vertexBegin[at + 1] ? first : begin + 1;
+    stretches.push_back({ at, places.at(at, end)[(k + 1) % 3] });
+    const Index next = diagram.across[end];
+    if (next < 0)
     {
-      continue;
+      return true;
     }
-    for (Offset at = piece; at >= 0;)
-    {
-      const Offset begin = edgeOf(at);
-      if (begin < 0 || stretches.size() == pieces)
-      {
-        break;
-      }
-      const Offset end = followerOf(at, begin);
-      stretches.push_back({ at, places.at(at, end)[(k + 1) % 3] });
-      const Index next = diagram.across[end];
-      if (next < 0)
-      {
-        return true;
-      }
-      at = diagram.pieceOf(facet, next);
-    }
-    return false;
+    at = diagram.pieceOf(facet, next);
   }
   return false;
 }
@@ -79,15 +77,14 @@ bool listStretches(const VertexPlaces& places, Index facet, int k, std::vector<S
 class Sewer
 {
 public:
-  Sewer(const Diagram& diagram, const Components& components, const FeaturedSurface& featured,
-    const FeatureSites& featureSites, const Sites& sites, Seams& seams)
-    : m_diagram(diagram)
+  Sewer(const VertexPlaces& places, const Components& components, const FeaturedSurface& featured,
+    const FeatureSites& featureSites, Seams& seams)
+    : m_places(places)
+    , m_diagram(places.diagram)
     , m_components(components)
     , m_mesh(featured.mesh)
-    , m_surface(featured.surface)
     , m_features(featured.features)
     , m_sites(featureSites)
-    , m_allSites(sites)
     , m_seams(seams)
   {
   }
@@ -96,8 +93,7 @@ public:
   {
     m_facet = facet;
     m_edge = m_features.edges.sideOf(facet, collar.edge);
-    m_seams.isComplete &=
-      listStretches({ m_surface, m_allSites, m_diagram }, facet, m_edge, m_stretches);
+    m_seams.isComplete &= listStretches(m_places, facet, m_edge, m_stretches);
     m_forward = m_mesh.facetPoints[facet][m_edge] == collar.start;
     m_sewing = m_features.cuts[collar.edge] != 0;
     this->layCollar(collar);
@@ -223,10 +219,11 @@ private:
   /** The place on the edge nearest to a site, between two others. */
   double footOf(Index site, double begin, double end, double& squared) const
   {
-    const int d = m_surface.dimension;
-    const double* p = m_surface.corner(m_mesh.facetCorners[m_facet][m_edge]);
-    const double* q = m_surface.corner(m_mesh.facetCorners[m_facet][(m_edge + 1) % 3]);
-    const double* x = m_allSites.site(site);
+    const EmbeddedSurface& surface = m_places.surface;
+    const int d = surface.dimension;
+    const double* p = surface.corner(m_mesh.facetCorners[m_facet][m_edge]);
+    const double* q = surface.corner(m_mesh.facetCorners[m_facet][(m_edge + 1) % 3]);
+    const double* x = m_places.sites.site(site);
     double along = 0.0, length2 = 0.0;
     for (int c = 0; c < d; ++c)
     {
@@ -244,13 +241,12 @@ private:
     return t;
   }
 
+  const VertexPlaces& m_places;
   const Diagram& m_diagram;
   const Components& m_components;
   const SurfaceMesh& m_mesh;
-  const EmbeddedSurface& m_surface;
   const Features& m_features;
   const FeatureSites& m_sites;
-  const Sites& m_allSites;
   Seams& m_seams;
   Index m_facet = 0;
   int m_edge = 0;        ///< of the facet
@@ -364,16 +360,16 @@ void keepNearest(std::vector<Intrusion>& intrusions)
 }
 }
 
-Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
-  const FeaturedSurface& featured, const FeatureSites& featureSites, const Sites& sites)
+Seams sewAlongFeatures(const VertexPlaces& places, const Components& components,
+  const FeaturedSurface& featured, const FeatureSites& featureSites)
 {
   const Features& features = featured.features;
   Seams seams;
-  seams.components = componentsOfPoints(diagram, components, featureSites);
+  seams.components = componentsOfPoints(places.diagram, components, featureSites);
   seams.pinches = listPinches(features, featureSites);
   shapeCollars(features, featureSites, seams);
   addSegments(features, featureSites, seams);
-  Sewer sewer(diagram, components, featured, featureSites, sites, seams);
+  Sewer sewer(places, components, featured, featureSites, seams);
   for (const CollarEdge& collar : featureSites.collar)
   {
     for (Offset i = features.edges.edgeFacetsBegin[collar.edge];

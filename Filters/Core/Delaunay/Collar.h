@@ -90,8 +90,8 @@ struct Seams
 };
 
 /** O(pieces along the features). */
-Seams sewAlongFeatures(const Diagram& diagram, const Components& components,
-  const FeaturedSurface& featured, const FeatureSites& featureSites, const Sites& sites);
+Seams sewAlongFeatures(const VertexPlaces& places, const Components& components,
+  const FeaturedSurface& featured, const FeatureSites& featureSites);
 
 /** Whether each vertex of the mesh, a component, is a feature point. */
 std::vector<char> verticesOnFeatures(const Seams& seams, Index numberOfVertices);

@@ -204,16 +204,18 @@ void sumComponent(
 }
 }
 
-Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites,
-  const EdgeTable& edges, const Diagram& diagram, const std::vector<Index>& owners,
-  const RunControl& control, Components& components, const FeatureSites* features)
+Status findComponents(
+  const JoinedDiagram& joined, const RunControl& control, Components& components)
 {
   components = Components{};
+  const Diagram& diagram = joined.places.diagram;
+  const FeatureSites* features = joined.features;
   const RunControl silent = control.silent();
   DisjointSets sets(diagram.sites.size());
   if (!forEachItem(diagram.numberOfPieces(), silent,
-        [&](Offset piece) { joinAcrossEdges(edges, diagram, static_cast<Index>(piece), sets); }) ||
-    !joinAroundCorners(surface, diagram, owners, silent, sets))
+        [&](Offset piece)
+        { joinAcrossEdges(joined.edges, diagram, static_cast<Index>(piece), sets); }) ||
+    !joinAroundCorners(joined.places.surface, diagram, joined.owners, silent, sets))
   {
     return Status::cancelled();
   }
@@ -231,15 +233,8 @@ Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, c
   components.area.resize(count);
   components.energy.resize(count);
   components.centroids.resize(count);
-  const VertexPlaces places{ surface, sites, diagram };
-  const bool done = forEachRange(Blocks::cut(components.count(), 256, 4096), control,
-    [&](Offset begin, Offset end)
-    {
-      for (Offset k = begin; k < end; ++k)
-      {
-        sumComponent(mesh, places, static_cast<Index>(k), components);
-      }
-    });
+  const bool done = forEachItem(Blocks::cut(components.count(), 256, 4096), control,
+    [&](Offset k) { sumComponent(joined.mesh, joined.places, static_cast<Index>(k), components); });
   if (features)
   {
     placeFeaturePoints(diagram, *features, components);
@@ -247,9 +242,10 @@ Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, c
   return done ? Status::success() : Status::cancelled();
 }
 
-std::vector<Index> componentsAt(const SurfaceMesh& mesh, const std::vector<Index>& points,
-  const std::vector<Index>& owners, const Diagram& diagram, const Components& components)
+std::vector<Index> componentsAt(
+  const JoinedDiagram& joined, const std::vector<Index>& points, const Components& components)
 {
+  const SurfaceMesh& mesh = joined.mesh;
   std::vector<Index> found(points.size(), noIndex);
   for (Index f = 0; f < mesh.numberOfFacets() && !points.empty(); ++f)
   {
@@ -260,7 +256,8 @@ std::vector<Index> componentsAt(const SurfaceMesh& mesh, const std::vector<Index
       if (at < static_cast<std::ptrdiff_t>(points.size()) && points[at] == point &&
         found[at] == noIndex)
       {
-        const Offset piece = diagram.pieceOf(f, owners[mesh.facetCorners[f][k]]);
+        const Offset piece =
+          joined.places.diagram.pieceOf(f, joined.owners[mesh.facetCorners[f][k]]);
         found[at] = piece >= 0 ? components.ofPiece[piece] : noIndex;
       }
     }

@@ -12,7 +12,7 @@
 #include "Features/FeatureSites.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
-#include "Voronoi/Diagram.h"
+#include "Voronoi/VertexPlaces.h"
 
 namespace remesh
 {
@@ -33,25 +33,32 @@ struct Components
   Index count() const { return static_cast<Index>(this->sites.size()); }
 };
 
+/** A diagram, and how the facets that it divides hang together. */
+struct JoinedDiagram
+{
+  const SurfaceMesh& mesh;
+  VertexPlaces places;
+  const EdgeTable& edges;                 ///< of the surface as it is embedded
+  const std::vector<Index>& owners;       ///< C, the site that owns each corner
+  const FeatureSites* features = nullptr; ///< the sites on features, if there are any
+};
+
 /**
  * Pieces of a cell belong together where they share a segment of a facet's edge, or a corner.
  *
  * Pieces at which the copies of a feature's site sit belong together, too.
  *
- * @param owners C, the site that owns each corner.
- * @param features the sites on features, or nullptr.
  * Cost: O(P) in parallel, O(P) memory. Components are ordered by site, then by their first piece.
  */
-Status findComponents(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Sites& sites,
-  const EdgeTable& edges, const Diagram& diagram, const std::vector<Index>& owners,
-  const RunControl& control, Components& components, const FeatureSites* features = nullptr);
+Status findComponents(
+  const JoinedDiagram& joined, const RunControl& control, Components& components);
 
 /**
  * The component that holds each of these points of the surface (ascending), in the first facet
- * there with a piece of the point's owner (`owners` as above); noIndex if there is none. O(F).
+ * there with a piece of the point's owner; noIndex if there is none. O(F).
  */
-std::vector<Index> componentsAt(const SurfaceMesh& mesh, const std::vector<Index>& points,
-  const std::vector<Index>& owners, const Diagram& diagram, const Components& components);
+std::vector<Index> componentsAt(
+  const JoinedDiagram& joined, const std::vector<Index>& points, const Components& components);
 
 /** Area in R^3 of the cells of n sites, unit of the points. Cost: O(P), in one thread. */
 std::vector<double> measureCellAreas(

@@ -1,9 +1,7 @@
 #include "Delaunay/FeatureRepair.h"
 
 #include "Features/CurveLevel.h"
-#include "Features/CurveSeparation.h"
 #include "Features/PassedPoints.h"
-#include "Support/SortUnique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,25 +83,23 @@ Station placeFor(
     }
   }
   return levelWith(
-    featured, featureSites, intrusion.site, intrusion.curve, intrusion.foot, nearest);
+    featured, featureSites, intrusion.site, { intrusion.curve, intrusion.foot, nearest });
 }
 }
 
-Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>& intrusions,
-  const Sites& sites, bool areApart, Offset mostPoints, const RunControl& control,
-  FeatureSites& featureSites, std::vector<Index>& joining)
+RefinedCurves refineCurves(const FeaturedSurface& featured,
+  const std::vector<Intrusion>& intrusions, FeatureSites& featureSites)
 {
+  RefinedCurves refined;
+  refined.curves.assign(featured.features.curves.size(), 0);
   Stations stations = featureSites.stations;
-  joining.clear();
-  std::vector<char> removed(static_cast<std::size_t>(sites.count()), 0);
+  std::set<Index> removed; // sites
   std::set<std::pair<Index, Index>> divided;
   CurveLengths lengths(featured);
-  std::vector<char> watched(featured.features.curves.size(), areApart ? 0 : 1);
-  Index count = 0;
   for (const Intrusion& intrusion : inwardFirst(intrusions, stations, lengths))
   {
     const std::pair<Index, Index> section{ intrusion.curve, intrusion.section };
-    if (removed[intrusion.site] || divided.count(section) > 0)
+    if (removed.count(intrusion.site) > 0 || divided.count(section) > 0)
     {
       continue;
     }
@@ -114,24 +110,21 @@ Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>
     if ((isThere && insertStation(along, place, 0.0, leastGap, places)) ||
       insertStation(along, intrusion.foot, 0.0, leastGap, places))
     {
-      ++count;
-      watched[intrusion.curve] = 1;
-      if (intrusion.site >= sites.fixed)
+      ++refined.places;
+      refined.curves[intrusion.curve] = 1;
+      if (intrusion.site >= featureSites.sites.count()) // a free one
       {
-        removed[intrusion.site] = 1;
-        joining.push_back(intrusion.site);
+        removed.insert(intrusion.site);
+        refined.joining.push_back(intrusion.site);
       }
       divided.insert(section);
     }
   }
-  if (count == 0)
+  if (refined.places > 0)
   {
-    return 0;
+    featureSites = makeFeatureSites(featured, stations);
   }
-  featureSites = makeFeatureSites(featured, stations);
-  const double spacing = std::sqrt(featured.surface.siteMeasure / sites.count());
-  return count +
-    separateCurves(featured, std::move(watched), mostPoints, spacing, control, featureSites);
+  return refined;
 }
 
 namespace
@@ -143,27 +136,24 @@ Triple inOrder(Triple triangle)
 }
 }
 
-std::vector<Intrusion> coarseSections(const std::vector<Triple>& inverted,
-  const Components& components, const Seams& seams, const FeaturedSurface& featured,
-  const FeatureSites& featureSites, const RunControl& control)
+std::vector<Intrusion> coarseSections(const std::vector<Triple>& inverted, const Seams& seams,
+  const FeaturedSurface& featured, const FeatureSites& featureSites, const RunControl& control)
 {
-  std::vector<Index> corners;
+  std::set<Index> components;
   std::set<Triple> triangles;
   for (const Triple& triangle : inverted)
   {
     triangles.insert(inOrder(triangle));
-    for (const Index component : triangle)
+    components.insert(triangle.begin(), triangle.end());
+  }
+  std::vector<Index> corners; // on features
+  for (std::size_t point = 0; point < seams.components.size(); ++point)
+  {
+    if (components.count(seams.components[point]) > 0)
     {
-      const Index site = components.sites[component];
-      const bool isFeature = site < featureSites.sites.count();
-      const Index point = isFeature ? featureSites.pointOfSite[site] : noIndex;
-      if (isFeature && seams.components[point] == component) // not one of its cell's further parts
-      {
-        corners.push_back(point);
-      }
+      corners.push_back(static_cast<Index>(point));
     }
   }
-  sortUnique(corners);
   std::vector<Intrusion> found;
   for (const PassedPoint& passed : findPassedPoints(featured, featureSites, corners, control))
   {

@@ -9,6 +9,14 @@
 
 namespace remesh
 {
+/** What refineCurves did. */
+struct RefinedCurves
+{
+  Index places = 0;           ///< new ones on the curves
+  std::vector<char> curves;   ///< whether each curve has got any
+  std::vector<Index> joining; ///< free sites that are to go
+};
+
 /**
  * If a cell reaches a curve between two of the curve's sites, the curve is too coarse there:
  *
@@ -19,19 +27,14 @@ namespace remesh
  *    stays.
  * 3. Each section of a curve is divided once at most. If several cells reach it, that one counts
  *    which is nearest to its middle and can divide it.
- * 4. Curves are kept apart again (separateCurves): those with new places, or all if they are not
- *    apart yet. No free site goes for the places that this adds.
+ *
+ * Curves with new places may no longer be apart from others: see separateCurves.
  *
  * @param intrusions those of the seams, or what coarseSections returns.
- * @param areApart whether the curves were kept apart before, as far as that is possible.
- * @param mostPoints the most vertices on features that 4 may lead to.
- * @param featureSites are brought up to date. `sites` must follow: see replaceFixed.
- * @param joining gets the free sites that are to go.
- * @return the number of new places on the curves.
+ * @param featureSites are brought up to date. All sites must follow: see replaceFixed.
  */
-Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>& intrusions,
-  const Sites& sites, bool areApart, Offset mostPoints, const RunControl& control,
-  FeatureSites& featureSites, std::vector<Index>& joining);
+RefinedCurves refineCurves(const FeaturedSurface& featured,
+  const std::vector<Intrusion>& intrusions, FeatureSites& featureSites);
 
 /**
  * Finds where inverted triangles show that a curve is too coarse. There are two signs of it: a
@@ -41,9 +44,9 @@ Index refineCurves(const FeaturedSurface& featured, const std::vector<Intrusion>
  * @return for the first sign, the cell of the corner, with its foot in R^3 and no distance; for the
  *         second, the cell that reaches the section. Of no use when cancelled.
  */
-std::vector<Intrusion> coarseSections(const std::vector<Triple>& inverted,
-  const Components& components, const Seams& seams, const FeaturedSurface& featured,
-  const FeatureSites& featureSites, const RunControl& control = RunControl());
+std::vector<Intrusion> coarseSections(const std::vector<Triple>& inverted, const Seams& seams,
+  const FeaturedSurface& featured, const FeatureSites& featureSites,
+  const RunControl& control = RunControl());
 
 /** Replaces the fixed sites by those of `featureSites`. */
 void replaceFixed(const FeatureSites& featureSites, Sites& sites);

@@ -116,6 +116,43 @@ void listPieces(Components& components)
 }
 }
 
+namespace
+{
+/** Leaves out those of a vertex with an heir. */
+void renumber(const std::vector<Index>& heirs, const std::vector<Index>& numbers,
+  std::vector<Triple>& triangles)
+{
+  std::size_t stay = 0;
+  for (const auto& [a, b, c] : triangles)
+  {
+    if (heirs[a] == noIndex && heirs[b] == noIndex && heirs[c] == noIndex)
+    {
+      triangles[stay++] = { numbers[a], numbers[b], numbers[c] }; // as ascending as they were
+    }
+  }
+  triangles.resize(stay);
+}
+
+void renumber(const std::vector<Index>& numbers, Seams& seams)
+{
+  for (Index& component : seams.components)
+  {
+    component = component == noIndex ? noIndex : numbers[component];
+  }
+  for (FeatureSegment& segment : seams.segments)
+  {
+    segment.ends = { numbers[segment.ends[0]], numbers[segment.ends[1]] };
+  }
+  for (std::vector<Intrusion>* list : { &seams.intrusions, &seams.encroachments })
+  {
+    for (Intrusion& intrusion : *list)
+    {
+      intrusion.component = numbers[intrusion.component];
+    }
+  }
+}
+}
+
 Index removeHangingTriangles(const EdgeValences& edges, Components& components,
   std::vector<Triple>& triangles, std::vector<Triple>& repeated, Seams& seams)
 {
@@ -133,33 +170,9 @@ Index removeHangingTriangles(const EdgeValences& edges, Components& components,
     component = numbers[component];
   }
   listPieces(components);
-  for (std::vector<Triple>* list : { &triangles, &repeated })
-  {
-    std::size_t stay = 0;
-    for (const auto& [a, b, c] : *list)
-    {
-      if (heirs[a] == noIndex && heirs[b] == noIndex && heirs[c] == noIndex)
-      {
-        (*list)[stay++] = { numbers[a], numbers[b], numbers[c] }; // as ascending as they were
-      }
-    }
-    list->resize(stay);
-  }
-  for (Index& component : seams.components)
-  {
-    component = component == noIndex ? noIndex : numbers[component];
-  }
-  for (FeatureSegment& segment : seams.segments)
-  {
-    segment.ends = { numbers[segment.ends[0]], numbers[segment.ends[1]] };
-  }
-  for (std::vector<Intrusion>* list : { &seams.intrusions, &seams.encroachments })
-  {
-    for (Intrusion& intrusion : *list)
-    {
-      intrusion.component = numbers[intrusion.component];
-    }
-  }
+  renumber(heirs, numbers, triangles);
+  renumber(heirs, numbers, repeated);
+  renumber(numbers, seams);
   return count;
 }
 }

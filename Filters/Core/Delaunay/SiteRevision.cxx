@@ -99,11 +99,12 @@ std::vector<char> distancesOfSites(
  *
  * @param spare by which none of these goes that its patch cannot do without.
  */
-std::vector<Index> takeApart(const std::vector<Index>& candidates, const Components& components,
-  const Dual& dual, const Sites& sites, std::size_t wanted, SpareSites& spare)
+std::vector<Index> takeApart(const std::vector<Index>& candidates, const DiagramDual& diagram,
+  std::size_t wanted, SpareSites& spare)
 {
+  const Sites& sites = diagram.places.sites;
   const std::vector<std::vector<Index>> neighbors =
-    neighborsOf(candidates, components, dual, sites.count());
+    neighborsOf(candidates, diagram.components, diagram.dual, sites.count());
   std::vector<Index> taken;
   std::vector<char> waits(static_cast<std::size_t>(sites.count()), 0);
   for (std::size_t k = 0; k < candidates.size() && taken.size() < wanted; ++k)
@@ -131,12 +132,12 @@ std::vector<Index> takeApart(const std::vector<Index>& candidates, const Compone
  * Free sites away from failures, the farther first, then by increasing energy of their cells, and
  * no neighbours of each other if there are enough.
  */
-std::vector<Index> findDonors(const Components& components, const Dual& dual,
-  const std::vector<char>& distances, const CellSums& sums, const Sites& sites, std::size_t wanted,
-  SpareSites& spare)
+std::vector<Index> findDonors(const DiagramDual& diagram, const CellSums& sums,
+  const std::vector<char>& distances, std::size_t wanted, SpareSites& spare)
 {
   constexpr std::size_t choice = 8; // of candidates for each: sites have six neighbours
-  const std::vector<char> nearest = distancesOfSites(components, distances, sites.count());
+  const Sites& sites = diagram.places.sites;
+  const std::vector<char> nearest = distancesOfSites(diagram.components, distances, sites.count());
   std::vector<Index> donors;
   for (Index i = sites.fixed; i < sites.count(); ++i)
   {
@@ -150,7 +151,7 @@ std::vector<Index> findDonors(const Components& components, const Dual& dual,
   std::partial_sort(donors.begin(), donors.begin() + static_cast<std::ptrdiff_t>(count),
     donors.end(), [&](Index a, Index b) { return key(a) < key(b); });
   donors.resize(count);
-  return takeApart(donors, components, dual, sites, wanted, spare);
+  return takeApart(donors, diagram, wanted, spare);
 }
 
 /** Takes sites away; the others keep their order. */
@@ -176,10 +177,10 @@ void removeSites(const std::vector<Index>& removed, Sites& sites)
 
 }
 
-Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
-  const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
-  Index addedBefore, Sites& sites, bool keepAdded)
+Revision reviseSites(const DiagramDual& diagram, const CellSums& sums, Refinement refinement,
+  const RevisionGoal& goal, Sites& sites)
 {
+  const auto& [places, components, dual] = diagram;
   auto& added = refinement.added;
   auto& removed = refinement.removed;
   const auto d = static_cast<std::size_t>(sites.dimension);
@@ -189,7 +190,7 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
                   [&](Index site) { return !spare.take(sites.site(site)); }),
     removed.end());
   const Offset surplus = components.count() + static_cast<Offset>(added.size() / d) -
-    static_cast<Offset>(removed.size()) - wanted;
+    static_cast<Offset>(removed.size()) - goal.wanted;
   if (surplus < 0)
   {
     addWhereEnergyIs(places, components, -surplus, refinement);
@@ -197,19 +198,19 @@ Revision reviseSites(const VertexPlaces& places, const Components& components, c
   else if (surplus > 0)
   {
     std::vector<char> distances = distancesToFailures(
-      components, dual, failures, sites.count() - (keepAdded ? addedBefore : 0));
+      components, dual, goal.failures, sites.count() - (goal.keepAdded ? goal.addedBefore : 0));
     for (Index k = 0; k < components.count(); ++k) // those that go already are no donors
     {
       const bool goes = std::binary_search(removed.begin(), removed.end(), components.sites[k]);
       distances[k] = goes ? 0 : distances[k];
     }
-    const std::vector<Index> donors = findDonors(
-      components, dual, distances, sums, sites, static_cast<std::size_t>(surplus), spare);
+    const std::vector<Index> donors =
+      findDonors(diagram, sums, distances, static_cast<std::size_t>(surplus), spare);
     const std::size_t missing = static_cast<std::size_t>(surplus) - donors.size();
     added.resize(added.size() - std::min(added.size(), missing * d));
     removed.insert(removed.end(), donors.begin(), donors.end());
   }
-  const Index firstAdded = sites.count() - addedBefore;
+  const Index firstAdded = sites.count() - goal.addedBefore;
   const auto last = static_cast<Index>(
     std::count_if(removed.begin(), removed.end(), [&](Index site) { return site >= firstAdded; }));
   removeSites(removed, sites);

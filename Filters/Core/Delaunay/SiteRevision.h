@@ -20,21 +20,27 @@ struct Revision
   Index removedLast = 0; ///< of them, of the last `addedBefore`
 };
 
+/** What a revision is to come to. */
+struct RevisionGoal
+{
+  const Certificate& failures; ///< from which no sites are taken
+  Offset wanted;               ///< vertices, sites on features (counted once) included
+  Index addedBefore = 0;       ///< the last so many sites were added before
+  /** Whether these stay, and those around them, but for such in the refinement. */
+  bool keepAdded = true;
+};
+
 /**
  * Adds and takes away these sites, and brings the number of the mesh's vertices to what is wanted:
  * takes away the free sites with the least energy, as far as can be from failures, from where sites
  * were added before and from each other, or adds sites where cells have the most. No patch loses
  * sites that it cannot do without (SpareSites.h), though there be more vertices than wanted.
  *
- * @param places of the diagram, whose sites these are still.
+ * @param diagram, sums of the sites as they are still.
  * @param refinement the last places are left out where there are not enough sites to take away.
- * @param wanted vertices, sites on features (counted once) included.
- * @param addedBefore the last so many sites were added before.
- * @param keepAdded whether these stay, and those around them, but for such in the refinement.
  */
-Revision reviseSites(const VertexPlaces& places, const Components& components, const Dual& dual,
-  const Certificate& failures, const CellSums& sums, Refinement refinement, Offset wanted,
-  Index addedBefore, Sites& sites, bool keepAdded = true);
+Revision reviseSites(const DiagramDual& diagram, const CellSums& sums, Refinement refinement,
+  const RevisionGoal& goal, Sites& sites);
 }
 
 #endif

@@ -128,15 +128,14 @@ class TopologyRefiner
 {
 public:
   /** @param cutTips whether cells at tips go instead. All must outlive it. */
-  TopologyRefiner(
-    const VertexPlaces& places, const Components& components, const Dual& dual, bool cutTips)
-    : m_places(places)
-    , m_components(components)
+  TopologyRefiner(const DiagramDual& diagram, bool cutTips)
+    : m_places(diagram.places)
+    , m_components(diagram.components)
     , m_cutTips(cutTips)
-    , m_uses(countUses(dual, components.count()))
-    , m_taken(static_cast<std::size_t>(components.count()), 0)
-    , m_farthest(places)
-    , m_thinTips(places, components)
+    , m_uses(countUses(diagram.dual, m_components.count()))
+    , m_taken(static_cast<std::size_t>(m_components.count()), 0)
+    , m_farthest(m_places)
+    , m_thinTips(m_places, m_components)
   {
   }
 
@@ -288,11 +287,10 @@ private:
 };
 }
 
-Refinement refineTopology(const VertexPlaces& places, const Components& components,
-  const Dual& dual, const Certificate& certificate, bool cutTips)
+Refinement refineTopology(const DiagramDual& diagram, const Certificate& certificate, bool cutTips)
 {
-  TopologyRefiner refiner(places, components, dual, cutTips);
-  for (const Index cell : components.apexes)
+  TopologyRefiner refiner(diagram, cutTips);
+  for (const Index cell : diagram.components.apexes)
   {
     refiner.bareApex(cell);
   }
@@ -311,9 +309,9 @@ Refinement refineTopology(const VertexPlaces& places, const Components& componen
   return refiner.take();
 }
 
-Refinement refineTriangles(const VertexPlaces& places, const Components& components,
-  const Dual& dual, const std::vector<Index>& triangles)
+Refinement refineTriangles(const DiagramDual& diagram, const std::vector<Index>& triangles)
 {
+  const auto& [places, components, dual] = diagram;
   Refinement refinement;
   std::vector<char> taken(static_cast<std::size_t>(components.count()), 0);
   FarthestVertex farthest(places);

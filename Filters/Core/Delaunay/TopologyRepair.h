@@ -17,6 +17,14 @@
 
 namespace remesh
 {
+/** A diagram, the components of its cells, and their dual. */
+struct DiagramDual
+{
+  VertexPlaces places;
+  const Components& components;
+  const Dual& dual;
+};
+
 /** What may mend a few of the failures. */
 struct Refinement
 {
@@ -41,15 +49,13 @@ struct Refinement
  *        to these instead: the spike ends in one of them then.
  * Cost: O(P).
  */
-Refinement refineTopology(const VertexPlaces& places, const Components& components,
-  const Dual& dual, const Certificate& certificate, bool cutTips);
+Refinement refineTopology(const DiagramDual& diagram, const Certificate& certificate, bool cutTips);
 
 /**
  * A new site for each of these triangles, at the vertex of the diagram it is the dual of; none for
  * those next to another one's. O(P / K) each.
  */
-Refinement refineTriangles(const VertexPlaces& places, const Components& components,
-  const Dual& dual, const std::vector<Index>& triangles);
+Refinement refineTriangles(const DiagramDual& diagram, const std::vector<Index>& triangles);
 
 /**
  * Adds up to `count` sites, at the farthest vertices of the cells' parts with the most energy; none

@@ -88,7 +88,7 @@ private:
     if (distance < most)
     {
       const Station foot = stretch.stationAt(t, m_featured.features.curves[curve]);
-      const Station level = levelWith(m_featured, m_sites, site, curve, foot, place);
+      const Station level = levelWith(m_featured, m_sites, site, { curve, foot, place });
       m_found[curve].push_back({ level, lengthAt(m_lengths.of(curve), level), scale * distance });
     }
   }

@@ -32,20 +32,21 @@ Index nearestCopy(const FeatureSites& sites, Index point, const Eigen::VectorXd&
   return nearest;
 }
 
-Station levelWith(const FeaturedSurface& featured, const FeatureSites& sites, Index site,
-  Index curve, const Station& foot, const Eigen::VectorXd& place)
+Station levelWith(
+  const FeaturedSurface& featured, const FeatureSites& sites, Index site, const CurveFoot& foot)
 {
+  const auto& [curve, station, place] = foot;
   const SurfaceMesh& mesh = featured.mesh;
   const FeaturePoint& point = sites.points[sites.pointOfSite[site]];
   if (point.isCorner || point.curve == curve)
   {
-    return foot;
+    return station;
   }
   const FeatureCurve& own = featured.features.curves[curve];
   const FeatureCurve& other = featured.features.curves[point.curve];
-  const Point3& from = mesh.points[own.points[foot.segment]];
-  const Point3 at = from + foot.t * (mesh.points[own.points[foot.segment + 1]] - from);
-  Station level = foot;
+  const Point3& from = mesh.points[own.points[station.segment]];
+  const Point3 at = from + station.t * (mesh.points[own.points[station.segment + 1]] - from);
+  Station level = station;
   double nearest = std::numeric_limits<double>::infinity();
   for (const bool front : { true, false })
   {

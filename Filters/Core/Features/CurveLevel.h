@@ -15,15 +15,20 @@ namespace remesh
 /** Of the copies of a feature point, the one nearest to a place in R^d: its side's. */
 Index nearestCopy(const FeatureSites& sites, Index point, const Eigen::VectorXd& place);
 
+/** The foot of a site on a curve. */
+struct CurveFoot
+{
+  Index curve;
+  Station station;
+  Eigen::VectorXd place; ///< d, in R^d, on the side in question
+};
+
 /**
  * The place of a curve that is as far, in R^d, from a corner as a site on a feature is: from the
  * one that is nearest to the site, of those at an end of both curves. If there is none, the foot.
- *
- * @param foot of the site on the curve.
- * @param place of the foot, in R^d (d), on the side in question.
  */
-Station levelWith(const FeaturedSurface& featured, const FeatureSites& sites, Index site,
-  Index curve, const Station& foot, const Eigen::VectorXd& place);
+Station levelWith(
+  const FeaturedSurface& featured, const FeatureSites& sites, Index site, const CurveFoot& foot);
 }
 
 #endif

@@ -59,33 +59,41 @@ private:
     for (const Neighbor& near : m_near)
     {
       const Index point = m_sites.pointOfSite[near.site];
-      if (point == stretch.owner ||
-        isNextTo(m_featured, m_sites, stretch.collar.curve, stretch.station, point))
+      if (point != stretch.owner &&
+        !isNextTo(m_featured, m_sites, stretch.collar.curve, stretch.station, point))
       {
-        continue;
+        this->compare(stretch, site, near.site, rounding * radius * radius);
       }
-      // The difference of both squared distances is linear along the edge.
-      const Coordinates other = coordinatesOf(m_sites, near.site);
-      const auto excessAt = [&](double t)
-      {
-        const Eigen::VectorXd place = stretch.placeAt(t);
-        return (place - site).squaredNorm() - (place - other).squaredNorm();
-      };
-      const double atBegin = excessAt(begin);
-      const double atEnd = excessAt(end);
-      const double most = std::max(atBegin, atEnd);
-      if (most <= rounding * radius * radius)
-      {
-        continue;
-      }
-      double first = begin;
-      double last = end;
-      if (std::min(atBegin, atEnd) < 0.0)
-      {
-        (atBegin < 0.0 ? first : last) = begin + (end - begin) * atBegin / (atBegin - atEnd);
-      }
-      this->note(stretch, near.site, std::min(std::max(stretch.footOf(other), first), last), most);
     }
+  }
+
+  /** Notes another site if it is nearer to a place of the stretch than its own, by more than that.
+   */
+  void compare(const Stretch& stretch, const Eigen::VectorXd& own, Index otherSite, double least)
+  {
+    const double begin = stretch.begin;
+    const double end = stretch.end;
+    const Coordinates other = coordinatesOf(m_sites, otherSite);
+    // The difference of both squared distances is linear along the edge.
+    const auto excessAt = [&](double t)
+    {
+      const Eigen::VectorXd place = stretch.placeAt(t);
+      return (place - own).squaredNorm() - (place - other).squaredNorm();
+    };
+    const double atBegin = excessAt(begin);
+    const double atEnd = excessAt(end);
+    const double most = std::max(atBegin, atEnd);
+    if (most <= least)
+    {
+      return;
+    }
+    double first = begin;
+    double last = end;
+    if (std::min(atBegin, atEnd) < 0.0)
+    {
+      (atBegin < 0.0 ? first : last) = begin + (end - begin) * atBegin / (atBegin - atEnd);
+    }
+    this->note(stretch, otherSite, std::min(std::max(stretch.footOf(other), first), last), most);
   }
 
   void note(const Stretch& stretch, Index site, double t, double excess)
@@ -93,7 +101,7 @@ private:
     const Index curve = stretch.collar.curve;
     const Index other = m_sites.points[m_sites.pointOfSite[site]].curve;
     const Station foot = stretch.stationAt(t, m_featured.features.curves[curve]);
-    const Station level = levelWith(m_featured, m_sites, site, curve, foot, stretch.placeAt(t));
+    const Station level = levelWith(m_featured, m_sites, site, { curve, foot, stretch.placeAt(t) });
     m_intruders.push_back({ curve, other, foot, level, excess });
   }
 
@@ -132,12 +140,11 @@ std::vector<Intruder> worstOfSections(
 class Division
 {
 public:
-  Division(
-    const FeaturedSurface& featured, std::vector<char> curves, Offset mostPoints, double spacing)
+  Division(const FeaturedSurface& featured, std::vector<char> curves, const CurveRoom& room)
     : m_lengths(featured)
     , m_curves(std::move(curves))
-    , m_mostPoints(mostPoints)
-    , m_leastSection(leastSection * spacing)
+    , m_mostPoints(room.mostPoints)
+    , m_leastSection(leastSection * room.spacing)
   {
   }
 
@@ -188,14 +195,14 @@ private:
 };
 }
 
-Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves, Offset mostPoints,
-  double spacing, const RunControl& control, FeatureSites& sites)
+Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves,
+  const CurveRoom& room, const RunControl& control, FeatureSites& sites)
 {
   const FeatureSiteMaker maker(featured);
   const Stations before = sites.stations;
   Stations stations = before;
   const Index pointsBefore = sites.numberOfPoints();
-  Division division(featured, std::move(curves), mostPoints, spacing);
+  Division division(featured, std::move(curves), room);
   std::size_t found = 0; // in the first round
   const auto goesOn = [&](int round)
   { return round < mostRounds && !sites.collar.empty() && !control.cancelled(); };

@@ -14,15 +14,21 @@
 
 namespace remesh
 {
+/** What curves may take to be kept apart. */
+struct CurveRoom
+{
+  Offset mostPoints; ///< vertices on features
+  double spacing;    ///< of the sites, in R^d; sections shorter than a fiftieth are left
+};
+
 /**
  * Adds places, with their sites, to the curves until no site of theirs is nearer, in R^d, to a
- * place of a curve than the curve's own site there, or until the features have `mostPoints`
+ * place of a curve than the curve's own site there, or until there is no more room for
  * vertices; none at all where these would not get half of the sites away.
  *
  * A curve is divided at the foot of a site that is too near; where the curves of both meet in a
- * corner, at the site's distance from the corner. Left as they are: sections shorter than a
- * fiftieth of `spacing`, in R^d. At a corner where the metrics of several sides contradict each
- * other, sites of one curve can stay too near to another.
+ * corner, at the site's distance from the corner. At a corner where the metrics of several sides
+ * contradict each other, sites of one curve can stay too near to another.
  *
  * @param curves of each curve, whether it is looked after: those that got places since the others
  *        were kept apart, as far as that was possible, and all that get some on the way.
@@ -32,8 +38,8 @@ namespace remesh
  * Cost: some rounds, one where nothing is too near, each O(V + F), and a neighbour search for each
  * edge of the curves.
  */
-Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves, Offset mostPoints,
-  double spacing, const RunControl& control, FeatureSites& sites);
+Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves,
+  const CurveRoom& room, const RunControl& control, FeatureSites& sites);
 }
 
 #endif

@@ -99,6 +99,27 @@ bool isNoise(const Cluster& cluster, double spacing)
   return extent < least;
 }
 
+/** Adds the edges that start at a point, and whether others that must stay meet there. */
+void addEdges(
+  const CreaseGraph& graph, const std::vector<float>& angles, Index point, Cluster& cluster)
+{
+  for (Offset i = graph.begin[point]; i < graph.begin[point + 1]; ++i)
+  {
+    const Index edge = graph.around[i];
+    if (!graph.droppable[edge])
+    {
+      cluster.attached = true;
+    }
+    else if (graph.ends[edge][0] == point)
+    {
+      const double length = graph.length(edge);
+      ++cluster.edges;
+      cluster.length += length;
+      cluster.strength += length * angles[edge];
+    }
+  }
+}
+
 std::vector<Cluster> measureClusters(
   const CreaseGraph& graph, const std::vector<float>& angles, DisjointSets& sets)
 {
@@ -124,21 +145,7 @@ std::vector<Cluster> measureClusters(
       ++cluster.turns;
       cluster.turning += graph.turn(p);
     }
-    for (Offset i = graph.begin[p]; i < graph.begin[p + 1]; ++i)
-    {
-      const Index edge = graph.around[i];
-      if (!graph.droppable[edge])
-      {
-        cluster.attached = true;
-      }
-      else if (graph.ends[edge][0] == p)
-      {
-        const double length = graph.length(edge);
-        ++cluster.edges;
-        cluster.length += length;
-        cluster.strength += length * angles[edge];
-      }
-    }
+    addEdges(graph, angles, p, cluster);
   }
   return clusters;
 }

@@ -26,6 +26,7 @@ public:
     , m_ends(features.kinds.size())
     , m_around(mesh.points.size())
     , m_degrees(mesh.points.size(), 0)
+    , m_seenFrom(features.kinds.size(), noIndex)
   {
     std::vector<char> seen(features.kinds.size(), 0);
     for (Index f = 0; f < mesh.numberOfFacets(); ++f)
@@ -80,11 +81,41 @@ public:
     return best;
   }
 
+  /**
+   * The edges from a loose end to where the next feature is, or none.
+   *
+   * @param isFeature tells of an edge whether it is one.
+   */
+  template <class IsFeature>
+  std::vector<Index> gapFrom(Index end, const IsFeature& isFeature)
+  {
+    std::vector<Index> gap;
+    Index edge = *std::find_if(m_around[end].begin(), m_around[end].end(), isFeature);
+    Index at = end;
+    while (gap.size() < longestGap)
+    {
+      edge = this->continuation(edge, at);
+      if (edge == noIndex || isFeature(edge) || m_seenFrom[edge] == end)
+      {
+        break;
+      }
+      m_seenFrom[edge] = end;
+      gap.push_back(edge);
+      at = this->other(edge, at);
+      if (m_degrees[at] > 0)
+      {
+        return gap;
+      }
+    }
+    return {};
+  }
+
 private:
   const SurfaceMesh& m_mesh;
   std::vector<std::array<Index, 2>> m_ends;
   std::vector<std::vector<Index>> m_around;
-  std::vector<Index> m_degrees; ///< feature edges at each point
+  std::vector<Index> m_degrees;  ///< feature edges at each point
+  std::vector<Index> m_seenFrom; ///< E, the last loose end
 };
 }
 
@@ -99,37 +130,16 @@ void bridgeGaps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOp
   }
   CandidateGraph graph(mesh, edges, weakShare * options.angleDegrees * pi / 180.0, features);
   const auto isFeature = [&](Index edge) { return features.kinds[edge] != FeatureKind::None; };
-  std::vector<Index> gap;
-  std::vector<Index> seenFrom(features.kinds.size(), noIndex); // E, the last loose end
   for (Index end = 0; end < mesh.numberOfPoints(); ++end)
   {
     if (graph.degree(end) != 1)
     {
       continue;
     }
-    const std::vector<Index>& around = graph.around(end);
-    Index edge = *std::find_if(around.begin(), around.end(), isFeature);
-    Index at = end;
-    gap.clear();
-    while (gap.size() < longestGap)
+    for (const Index bridged : graph.gapFrom(end, isFeature))
     {
-      edge = graph.continuation(edge, at);
-      if (edge == noIndex || isFeature(edge) || seenFrom[edge] == end)
-      {
-        break;
-      }
-      seenFrom[edge] = end;
-      gap.push_back(edge);
-      at = graph.other(edge, at);
-      if (graph.degree(at) > 0)
-      {
-        for (const Index bridged : gap)
-        {
-          features.kinds[bridged] = FeatureKind::Crease;
-          graph.addFeature(bridged);
-        }
-        break;
-      }
+      features.kinds[bridged] = FeatureKind::Crease;
+      graph.addFeature(bridged);
     }
   }
 }

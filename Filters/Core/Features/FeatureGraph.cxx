@@ -60,11 +60,10 @@ bool isCorner(const Features& features, const CreaseGraph& graph, Index point)
 }
 
 /** Follows a curve from a point along an edge, to the next corner or round to where it began. */
-FeatureCurve follow(const Features& features, const CreaseGraph& graph,
-  const std::vector<char>& corners, Index start, Index edge, std::vector<char>& used)
+FeatureCurve follow(const CreaseGraph& graph, const std::vector<char>& corners, Index start,
+  Index edge, std::vector<char>& used)
 {
   FeatureCurve curve;
-  curve.kind = features.kinds[edge];
   curve.points.push_back(start);
   Index at = start;
   while (true)
@@ -98,17 +97,16 @@ void beginAtExtreme(const std::vector<Point3>& points, FeatureCurve& curve)
   std::rotate(curve.edges.begin(), curve.edges.begin() + first, curve.edges.end());
   curve.points.push_back(curve.points.front());
 }
-}
 
-void traceCurves(const SurfaceMesh& mesh, Features& features)
+/** Lists the corners, and marks them among all points. */
+std::vector<char> findCorners(const CreaseGraph& graph, Features& features)
 {
-  const CreaseGraph graph = makeCreaseGraph(mesh, features.edges, features.kinds);
-  std::vector<char> corners(mesh.points.size(), 0);
+  std::vector<char> corners(graph.mesh.points.size(), 0);
   for (const Index point : features.pinches)
   {
     corners[point] = 1;
   }
-  for (Index p = 0; p < mesh.numberOfPoints(); ++p)
+  for (Index p = 0; p < graph.mesh.numberOfPoints(); ++p)
   {
     corners[p] = corners[p] || isCorner(features, graph, p);
     if (corners[p])
@@ -116,6 +114,14 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
       features.corners.push_back(p);
     }
   }
+  return corners;
+}
+}
+
+void traceCurves(const SurfaceMesh& mesh, Features& features)
+{
+  const CreaseGraph graph = makeCreaseGraph(mesh, features.edges, features.kinds);
+  const std::vector<char> corners = findCorners(graph, features);
   std::vector<char> used(features.kinds.size(), 0);
   for (const Index point : features.corners)
   {
@@ -123,8 +129,7 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
     {
       if (!used[graph.at(point, k)])
       {
-        features.curves.push_back(
-          follow(features, graph, corners, point, graph.at(point, k), used));
+        features.curves.push_back(follow(graph, corners, point, graph.at(point, k), used));
       }
     }
   }
@@ -133,10 +138,14 @@ void traceCurves(const SurfaceMesh& mesh, Features& features)
     if (features.kinds[e] != FeatureKind::None && !used[e])
     {
       features.curves.push_back(
-        follow(features, graph, corners, graph.ends[e][0], static_cast<Index>(e), used));
+        follow(graph, corners, graph.ends[e][0], static_cast<Index>(e), used));
       beginAtExtreme(mesh.points, features.curves.back());
       features.curves.back().hasCorners = false;
     }
+  }
+  for (FeatureCurve& curve : features.curves)
+  {
+    curve.kind = features.kinds[curve.edges.front()];
   }
 }
 
@@ -363,6 +372,28 @@ Features findFeatures(SurfaceMesh& mesh, const FeatureOptions& options, const Ru
   return features;
 }
 
+namespace
+{
+/** Lists the facets of the edges, whose numbers are known in the facets. */
+void listFacets(const std::vector<Index>& valences, EdgeTable& table)
+{
+  table.edgeFacetsBegin.assign(valences.size() + 1, 0);
+  for (std::size_t e = 0; e < valences.size(); ++e)
+  {
+    table.edgeFacetsBegin[e + 1] = table.edgeFacetsBegin[e] + valences[e];
+  }
+  table.edgeFacets.resize(3 * table.facetEdges.size());
+  std::vector<Index> next(table.edgeFacetsBegin.begin(), table.edgeFacetsBegin.end() - 1);
+  for (std::size_t f = 0; f < table.facetEdges.size(); ++f)
+  {
+    for (const Index edge : table.facetEdges[f])
+    {
+      table.edgeFacets[next[edge]++] = static_cast<Index>(f);
+    }
+  }
+}
+}
+
 EdgeTable buildCutEdgeTable(
   const SurfaceMesh& mesh, const Features* features, const RunControl& control)
 {
@@ -390,20 +421,7 @@ EdgeTable buildCutEdgeTable(
       ++valences[number[edge]];
     }
   }
-  table.edgeFacetsBegin.assign(valences.size() + 1, 0);
-  for (std::size_t e = 0; e < valences.size(); ++e)
-  {
-    table.edgeFacetsBegin[e + 1] = table.edgeFacetsBegin[e] + valences[e];
-  }
-  table.edgeFacets.resize(3 * count);
-  std::vector<Index> next(table.edgeFacetsBegin.begin(), table.edgeFacetsBegin.end() - 1);
-  for (std::size_t f = 0; f < count; ++f)
-  {
-    for (const Index edge : table.facetEdges[f])
-    {
-      table.edgeFacets[next[edge]++] = static_cast<Index>(f);
-    }
-  }
+  listFacets(valences, table);
   return table;
 }
 }

@@ -63,6 +63,16 @@ public:
     return this->end();
   }
 
+  /** A vertex at a station of a curve. */
+  Index addAt(const Station& station, Index curve)
+  {
+    const FeatureCurve& course = m_features.curves[curve];
+    const Index point = course.points[station.segment];
+    return station.t == 0.0
+      ? this->addAtPoint(point, curve)
+      : this->addOnEdge(course.edges[station.segment], point, station.t, curve);
+  }
+
   /** A vertex inside an edge, with a copy for each facet around it. */
   Index addOnEdge(Index edge, Index start, double t, Index curve)
   {
@@ -213,7 +223,6 @@ FeatureSites FeatureSiteMaker::make(const Stations& stations) const
     std::vector<Index>& points = result.curvePoints[c];
     for (std::size_t k = 0; k < stations[c].size(); ++k)
     {
-      const Station& station = stations[c][k];
       const bool isEnd = k == 0 || k + 1 == stations[c].size();
       if (isEnd && curve.hasCorners)
       {
@@ -223,14 +232,9 @@ FeatureSites FeatureSiteMaker::make(const Stations& stations) const
       {
         points.push_back(points.front());
       }
-      else if (station.t == 0.0)
-      {
-        points.push_back(builder.addAtPoint(curve.points[station.segment], static_cast<Index>(c)));
-      }
       else
       {
-        points.push_back(builder.addOnEdge(curve.edges[station.segment],
-          curve.points[station.segment], station.t, static_cast<Index>(c)));
+        points.push_back(builder.addAt(stations[c][k], static_cast<Index>(c)));
       }
     }
     addCollar(m_featured, static_cast<Index>(c), result);

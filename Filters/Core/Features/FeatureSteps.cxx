@@ -101,10 +101,9 @@ struct Smoothing
   bool isHigh; ///< the surface moves far there
 };
 
-/** Of all that may be dropped; `sets` joins the points of those that hang together. */
+/** Of all that may be dropped. */
 std::vector<Smoothing> smoothCreases(const CreaseGraph& graph, const EdgeTable& edges,
-  const FeatureOptions& options, const Smoothed& smoothed, const std::vector<FeatureKind>& kinds,
-  DisjointSets& sets)
+  const FeatureOptions& options, const Smoothed& smoothed, const std::vector<FeatureKind>& kinds)
 {
   const SurfaceMesh& mesh = graph.mesh;
   const double least = options.angleDegrees * EIGEN_PI / 180.0;
@@ -120,7 +119,6 @@ std::vector<Smoothing> smoothCreases(const CreaseGraph& graph, const EdgeTable& 
     const int k = edges.sideOf(facet, edge);
     const double moved = std::max(smoothed.moved(mesh, mesh.facetCorners[facet][k]),
       smoothed.moved(mesh, mesh.facetCorners[facet][(k + 1) % 3]));
-    sets.unite(graph.ends[e][0], graph.ends[e][1]);
     creases.push_back({ edge, turnAcross(mesh, edges, smoothed, edge) < least,
       moved > highestStep * options.spacing });
   }
@@ -132,9 +130,12 @@ Index dropGone(const CreaseGraph& graph, const EdgeTable& edges, const FeatureOp
   const Smoothed& smoothed, FeatureEdges& features)
 {
   std::vector<FeatureKind>& kinds = features.kinds;
-  DisjointSets sets(graph.mesh.points.size());
-  const std::vector<Smoothing> creases =
-    smoothCreases(graph, edges, options, smoothed, kinds, sets);
+  const std::vector<Smoothing> creases = smoothCreases(graph, edges, options, smoothed, kinds);
+  DisjointSets sets(graph.mesh.points.size()); // of those that hang together
+  for (const Smoothing& crease : creases)
+  {
+    sets.unite(graph.ends[crease.edge][0], graph.ends[crease.edge][1]);
+  }
   std::vector<double> lengths(graph.mesh.points.size(), 0.0);
   std::vector<double> gone(graph.mesh.points.size(), 0.0);
   std::vector<double> high(graph.mesh.points.size(), 0.0);

@@ -110,10 +110,38 @@ private:
 };
 }
 
+namespace
+{
+constexpr int axis = 0; // that points are ordered along
+
+/** Calls `visit(point, foot)` for the points between a section and its chord, but for its ends. */
+template <class Visit>
+void visitPassed(const Section& section, const std::array<Index, 2>& ends,
+  const std::vector<std::pair<double, Index>>& along, const FeatureSites& featureSites,
+  const Visit& visit)
+{
+  const auto [least, most] = section.reach(axis);
+  for (auto at = std::lower_bound(along.begin(), along.end(), std::pair(least, noIndex));
+       at != along.end() && at->first <= most; ++at)
+  {
+    const Index point = at->second;
+    const Point3& place = featureSites.points[point].place;
+    if (point == ends[0] || point == ends[1] || !section.mayPass(place))
+    {
+      continue;
+    }
+    const Foot foot = section.footOf(place);
+    if (section.passes(place, foot.place))
+    {
+      visit(point, foot.station);
+    }
+  }
+}
+}
+
 std::vector<PassedPoint> findPassedPoints(const FeaturedSurface& featured,
   const FeatureSites& featureSites, const std::vector<Index>& points, const RunControl& control)
 {
-  constexpr int axis = 0;
   std::vector<std::pair<double, Index>> along;
   for (const Index point : points)
   {
@@ -130,26 +158,12 @@ std::vector<PassedPoint> findPassedPoints(const FeaturedSurface& featured,
     {
       const Section section(
         featured.mesh, featured.features.curves[c], stations[k], stations[k + 1]);
-      if (!section.bends())
+      if (section.bends())
       {
-        continue;
-      }
-      const auto [least, most] = section.reach(axis);
-      for (auto at = std::lower_bound(along.begin(), along.end(), std::pair(least, noIndex));
-           at != along.end() && at->first <= most; ++at)
-      {
-        const Index point = at->second;
-        const Point3& place = featureSites.points[point].place;
-        const bool isEnd = point == ends[k] || point == ends[k + 1];
-        if (isEnd || !section.mayPass(place))
-        {
-          continue;
-        }
-        const Foot foot = section.footOf(place);
-        if (section.passes(place, foot.place))
-        {
-          found.push_back({ point, static_cast<Index>(c), static_cast<Index>(k), foot.station });
-        }
+        visitPassed(section, { ends[k], ends[k + 1] }, along, featureSites,
+          [&](Index point, const Station& foot) {
+            found.push_back({ point, static_cast<Index>(c), static_cast<Index>(k), foot });
+          });
       }
     }
   }

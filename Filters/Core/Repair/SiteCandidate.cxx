@@ -3,6 +3,7 @@
 #include "Delaunay/FeatureRepair.h"
 #include "Delaunay/SiteRevision.h"
 #include "Embedding/Embedding.h"
+#include "Features/CurveSeparation.h"
 #include "Features/FeatureGraph.h"
 #include "Optimization/FixedSites.h"
 #include "Optimization/LocalRelaxation.h"
@@ -11,6 +12,7 @@
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -152,15 +154,14 @@ Status SiteCandidate::knowSurface(const RunControl& control)
 /** The dual of the diagram, and whether it is proven to be like the surface. */
 Status SiteCandidate::findDual(const RunControl& control)
 {
-  const FeatureSites* features = m_task.features ? &m_result.featureSites : nullptr;
+  const JoinedDiagram joined{ m_task.mesh, this->places(), m_edges, m_owners,
+    m_task.features ? &m_result.featureSites : nullptr };
   Seams* seams = m_task.features ? &m_result.seams : nullptr;
   Components& components = m_result.components;
-  Status status = findComponents(m_task.mesh, m_task.surface, m_result.sites, m_edges,
-    m_result.diagram, m_owners, control.step(0, 3), components, features);
+  Status status = findComponents(joined, control.step(0, 3), components);
   if (status.ok() && seams)
   {
-    *seams = sewAlongFeatures(
-      m_result.diagram, components, m_task.featured(), m_result.featureSites, m_result.sites);
+    *seams = sewAlongFeatures(joined.places, components, m_task.featured(), m_result.featureSites);
   }
   if (status.ok())
   {
@@ -169,11 +170,10 @@ Status SiteCandidate::findDual(const RunControl& control)
   if (status.ok() && seams)
   {
     status = dropHangingTriangles(components, *seams, control, m_result.dual);
-    components.apexes =
-      componentsAt(m_task.mesh, m_task.features->apexes, m_owners, m_result.diagram, components);
+    components.apexes = componentsAt(joined, m_task.features->apexes, components);
   }
-  return status.ok() ? certify(m_task.surface, m_edges, m_result.diagram, components, m_result.dual,
-                         seams, control.step(2, 3), m_result.topology.certificate)
+  return status.ok() ? certify({ m_task.surface, m_edges, m_result.diagram, components, seams },
+                         m_result.dual, control.step(2, 3), m_result.topology.certificate)
                      : status;
 }
 
@@ -280,8 +280,8 @@ bool SiteCandidate::hasRoomOnCurves(Offset places) const
 bool SiteCandidate::revise(
   Refinement refinement, const Certificate& failures, Offset wanted, bool keepAdded)
 {
-  const Revision revision = reviseSites(this->places(), m_result.components, m_result.dual,
-    failures, m_result.sums, std::move(refinement), wanted, m_added, m_result.sites, keepAdded);
+  const Revision revision = reviseSites(this->dual(), m_result.sums, std::move(refinement),
+    { failures, wanted, m_added, keepAdded }, m_result.sites);
   m_added += revision.added - revision.removedLast;
   m_result.movedSites += revision.added + revision.removed;
   roundToCaller(m_task.surface, m_result.sites);
@@ -306,13 +306,21 @@ bool SiteCandidate::refineCurves(
   const Offset before = m_result.featureSites.numberOfPoints();
   const Offset vertices = std::max(m_task.options.numberOfSites, m_result.numberOfVertexSites());
   const Offset most = m_task.mostPointsOnFeatures(vertices, m_result.shareApart);
-  Refinement refinement;
-  const Index places = remesh::refineCurves(m_task.featured(), intrusions, m_result.sites,
-    m_result.curvesAreApart, most, control, m_result.featureSites, refinement.removed);
-  if (places == 0)
+  const FeaturedSurface featured = m_task.featured();
+  RefinedCurves refined = remesh::refineCurves(featured, intrusions, m_result.featureSites);
+  if (refined.places == 0)
   {
     return false;
   }
+  if (!m_result.curvesAreApart)
+  {
+    refined.curves.assign(refined.curves.size(), 1);
+  }
+  const double spacing = std::sqrt(m_task.surface.siteMeasure / m_result.sites.count());
+  refined.places += separateCurves(featured, std::move(refined.curves), { most, spacing }, control,
+    m_result.featureSites); // no free site goes for these
+  Refinement refinement;
+  refinement.removed = std::move(refined.joining);
   // What is new on curves is no vertex of the diagram yet.
   const Offset onCurves = m_result.featureSites.numberOfPoints() - before;
   const Offset wanted = m_task.options.exactNumber
@@ -320,7 +328,7 @@ bool SiteCandidate::refineCurves(
     : m_result.components.count() - static_cast<Offset>(refinement.removed.size());
   this->revise(std::move(refinement), this->certificate(), wanted);
   replaceFixed(m_result.featureSites, m_result.sites);
-  m_result.movedSites += places;
+  m_result.movedSites += refined.places;
   roundToCaller(m_task.surface, m_result.sites);
   return true;
 }

@@ -64,6 +64,7 @@ public:
   const Task& task() const { return m_task; }
   const RemeshResult& result() const { return m_result; }
   VertexPlaces places() const { return { m_task.surface, m_result.sites, m_result.diagram }; }
+  DiagramDual dual() const { return { this->places(), m_result.components, m_result.dual }; }
   const Certificate& certificate() const { return m_result.topology.certificate; }
   bool othersStay() const { return m_othersStay; }
   /** As in State. */

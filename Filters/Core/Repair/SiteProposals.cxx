@@ -108,10 +108,8 @@ public:
 
   bool change(SiteCandidate& candidate, int edit, const RunControl& /*control*/) override
   {
-    const RemeshResult& result = candidate.result();
     const bool cuts = m_how == Refining::CutTips && edit % editsBetweenCuts == 0;
-    Refinement refinement = refineTopology(
-      candidate.places(), result.components, result.dual, candidate.certificate(), cuts);
+    Refinement refinement = refineTopology(candidate.dual(), candidate.certificate(), cuts);
     return m_how == Refining::BeyondNumber ? candidate.reviseBeyond(std::move(refinement))
                                            : candidate.revise(std::move(refinement),
                                                candidate.certificate(), candidate.wantedVertices());
@@ -210,8 +208,8 @@ public:
   {
     const RemeshResult& result = candidate.result();
     const std::vector<Intrusion> coarse =
-      coarseSections(trianglesOf(candidate, candidate.invertedTriangles()), result.components,
-        result.seams, candidate.task().featured(), result.featureSites, control);
+      coarseSections(trianglesOf(candidate, candidate.invertedTriangles()), result.seams,
+        candidate.task().featured(), result.featureSites, control);
     return !control.cancelled() && candidate.hasRoomOnCurves(countSections(coarse)) &&
       candidate.refineCurves(coarse, control);
   }
@@ -239,13 +237,11 @@ public:
 
   bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& /*control*/) override
   {
-    const RemeshResult& result = candidate.result();
     m_counts.push_back(this->count(candidate));
     const std::vector<Index> wrong = this->wrongTriangles(candidate);
     Certificate failures;
     failures.vertices = trianglesOf(candidate, wrong);
-    Refinement refinement =
-      refineTriangles(candidate.places(), result.components, result.dual, wrong);
+    Refinement refinement = refineTriangles(candidate.dual(), wrong);
     return !refinement.added.empty() &&
       candidate.revise(std::move(refinement), failures, candidate.wantedVertices());
   }

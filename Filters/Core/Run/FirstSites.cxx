@@ -86,7 +86,7 @@ Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult&
       std::min(task.mostPointsOnFeatures(task.options.numberOfSites, result.shareApart),
         static_cast<Offset>(mostForApart * aligned));
     const Index added =
-      separateCurves(featured, all, most, sampler.spacing(), control, result.featureSites);
+      separateCurves(featured, all, { most, sampler.spacing() }, control, result.featureSites);
     result.curvesAreApart = added > 0 && result.featureSites.numberOfPoints() < most;
     const Offset before = std::exchange(others, result.featureSites.numberOfPoints() - sampled);
     if (std::abs(static_cast<double>(others - before)) <= fewOthers * number)
