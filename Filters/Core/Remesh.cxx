@@ -20,24 +20,22 @@ namespace remesh
 namespace
 {
 /** Lloyd's iterations as an opening, then quasi-Newton ones. */
-Status optimize(const EmbeddedSurface& surface, const RemeshOptions& options, RunControl control,
-  RestrictedVoronoi& voronoi, RemeshResult& result)
+Status optimize(
+  const Task& task, RunControl control, RestrictedVoronoi& voronoi, RemeshResult& result)
 {
   Stopwatch watch;
+  const RemeshOptions& options = task.options;
+  const Relaxation relaxation = task.relaxation(voronoi, result);
   const double steps = options.lloydIterations + 1 + options.quasiNewton.iterations;
   const double lloydEnds = 0.02 + 0.83 * (options.lloydIterations + 1) / steps;
   control.enterPhase("Lloyd iterations", 0.02, lloydEnds);
-  if (Status status = relaxLloyd(voronoi, surface, options.lloydIterations, options.seed, control,
-        result.sites, result.sums, result.convergence, result.emptyCells);
-      !status.ok())
+  if (Status status = relaxLloyd(relaxation, options.lloydIterations, control); !status.ok())
   {
     return status;
   }
   result.seconds.lloyd = watch.lap();
   control.enterPhase("Quasi-Newton iterations", lloydEnds, 0.85);
-  if (Status status = minimizeQuasiNewton(voronoi, surface, options.quasiNewton, options.seed,
-        control, result.sites, result.sums, result.convergence, result.emptyCells);
-      !status.ok())
+  if (Status status = minimizeQuasiNewton(relaxation, options.quasiNewton, control); !status.ok())
   {
     return status;
   }
@@ -184,19 +182,45 @@ Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResul
   control.enterPhase("Vertex placement", 0.6, 1.0);
   return place(task, control, result);
 }
-}
 
-Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RemeshOptions& options, RunControl control, RemeshResult& result, const Features* features)
+/** Moves the sites to where the energy is low, in the order that is fast. */
+Status moveSites(const Task& task, RunControl control, RemeshResult& result)
 {
-  return endRun({ mesh, surface, features, options }, true, control, result);
+  const bool reorder = task.options.initialSites.count() > 0 && areScattered(result.sites);
+  std::vector<Index> order;
+  if (reorder)
+  {
+    order = orderInSpace(result.sites, control);
+    if (control.cancelled())
+    {
+      return Status::cancelled();
+    }
+    result.sites = inOrder(result.sites, order);
+  }
+  RestrictedVoronoi voronoi(task.surface);
+  voronoi.divideAmong(task.options.ranks);
+  if (Status status = optimize(task, control, voronoi, result); !status.ok())
+  {
+    return status;
+  }
+  if (reorder)
+  {
+    result.sites = inFormerOrder(result.sites, order);
+  }
+  roundToCaller(task.surface, result.sites);
+  result.evaluations += voronoi.evaluations();
+  return Status::success();
+}
 }
 
-Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
-  RunControl control, RemeshResult& result, const Features* features)
+Status completeMesh(const Task& task, RunControl control, RemeshResult& result)
+{
+  return endRun(task, true, control, result);
+}
+
+Status remesh(const Task& task, RunControl control, RemeshResult& result)
 {
   result = RemeshResult{};
-  const Task task{ mesh, surface, features, options };
   Stopwatch watch;
 
   control.enterPhase("Sampling", 0.0, 0.02);
@@ -206,38 +230,19 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
   }
   result.seconds.sampling = watch.lap();
 
-  if (options.optimize)
+  if (task.options.optimize)
   {
-    const bool reorder = options.initialSites.count() > 0 && areScattered(result.sites);
-    std::vector<Index> order;
-    if (reorder)
-    {
-      order = orderInSpace(result.sites, control);
-      if (control.cancelled())
-      {
-        return Status::cancelled();
-      }
-      result.sites = inOrder(result.sites, order);
-    }
-    RestrictedVoronoi voronoi(surface);
-    voronoi.divideAmong(options.ranks);
-    if (Status status = optimize(surface, options, control, voronoi, result); !status.ok())
+    if (Status status = moveSites(task, control, result); !status.ok())
     {
       return status;
     }
-    if (reorder)
-    {
-      result.sites = inFormerOrder(result.sites, order);
-    }
-    roundToCaller(surface, result.sites);
-    result.evaluations += voronoi.evaluations();
   }
   if (Status status = endRun(task, false, control.part(0.85, 1.0), result);
       !status.ok() || result.fallsApart)
   {
     return status;
   }
-  if (!options.optimize)
+  if (!task.options.optimize)
   {
     result.convergence.add(0.0, 0.0, 0.0);
   }

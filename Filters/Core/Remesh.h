@@ -20,20 +20,18 @@
 #ifndef remesh_Remesh_h
 #define remesh_Remesh_h
 
-#include "Run/RemeshOptions.h"
-#include "Run/RemeshResult.h"
+#include "Run/Task.h"
 
 namespace remesh
 {
 /**
- * Makes the mesh. Deterministic in surface and options.
+ * Makes the mesh. Deterministic in the task.
  *
- * @param features along which `mesh` was cut open, or nullptr. If there are several patches, they
- *        must be separated in `surface` (separatePatches).
+ * @param task whose mesh was cut open along its features, if it has any. If there are several
+ *        patches, they must be separated in its embedded surface (separatePatches).
  * @param result is replaced.
  */
-Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const RemeshOptions& options,
-  RunControl control, RemeshResult& result, const Features* features = nullptr);
+Status remesh(const Task& task, RunControl control, RemeshResult& result);
 
 /**
  * Does the end of a run again, from the diagram on, after the caller has moved sites or appended
@@ -42,9 +40,7 @@ Status remesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Rem
  *
  * @param result of a run with the same surface, options and features; its sites are the input.
  */
-Status completeMesh(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
-  const RemeshOptions& options, RunControl control, RemeshResult& result,
-  const Features* features = nullptr);
+Status completeMesh(const Task& task, RunControl control, RemeshResult& result);
 }
 
 #endif

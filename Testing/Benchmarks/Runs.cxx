@@ -42,12 +42,14 @@ struct Optimization
 
   void run(const EmbeddedSurface& surface, int lloyd, int newton)
   {
-    orThrow(relaxLloyd(this->voronoi, surface, lloyd, 0, RunControl(), this->sites, this->sums,
-      this->convergence, this->emptyCells));
+    orThrow(relaxLloyd(
+      { this->voronoi, surface, 0, this->sites, this->sums, this->convergence, this->emptyCells },
+      lloyd, RunControl()));
     QuasiNewtonOptions options;
     options.iterations = newton;
-    orThrow(minimizeQuasiNewton(this->voronoi, surface, options, 0, RunControl(), this->sites,
-      this->sums, this->convergence, this->emptyCells));
+    orThrow(minimizeQuasiNewton(
+      { this->voronoi, surface, 0, this->sites, this->sums, this->convergence, this->emptyCells },
+      options, RunControl()));
   }
 
   RestrictedVoronoi voronoi;
@@ -168,7 +170,7 @@ private:
 Figures evaluation(const EmbeddedSurface& surface, Offset points, const Settings& settings)
 {
   Sites sites;
-  orThrow(sampleSurface(surface, points, SamplingMethod::Stratified, 0, sites));
+  orThrow(sampleSurface(surface, points, { SamplingMethod::Stratified, 0 }, sites));
   return repeated(settings, [&]() { return evaluationOnce(surface, sites, settings); });
 }
 
@@ -240,7 +242,7 @@ Figures programRun(const Surface& surface, Offset points, const std::vector<std:
 Figures costOfExactness(const EmbeddedSurface& surface, Offset points, const Settings& settings)
 {
   Optimization optimization(surface);
-  orThrow(sampleSurface(surface, points, SamplingMethod::Stratified, 0, optimization.sites));
+  orThrow(sampleSurface(surface, points, { SamplingMethod::Stratified, 0 }, optimization.sites));
   inScope(settings,
     [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
   const auto diagram = [&](Decisions decisions)

@@ -63,7 +63,7 @@ int runUntil(const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Reme
     [&]() { return ++asked >= k; });
   control.schedule = schedule;
   RemeshResult result;
-  const Status status = remesh::remesh(mesh, surface, options, control, result);
+  const Status status = remesh::remesh({ mesh, surface, nullptr, options }, control, result);
   CHECK(status.code == expected);
   CHECK_EQUAL(status.message.empty(), status.ok());
   listener.check();
@@ -140,7 +140,8 @@ void testCancelFromOutside()
     { running = running || std::string(phase) != "Sampling"; },
     [&]() { return stop.load(); });
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, control, result).code == StatusCode::Cancelled);
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, control, result).code ==
+    StatusCode::Cancelled);
   user.join();
 }
 
@@ -176,7 +177,7 @@ void testProgressWithRepairs()
   {
     runUntil(mesh, surface, options, Schedule::Smp, 1000000, StatusCode::Ok);
     RemeshResult result;
-    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
     repaired += result.movedSites > 0;
   }
   CHECK(repaired > 0);

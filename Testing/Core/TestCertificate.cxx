@@ -184,7 +184,7 @@ RemeshResult remeshed(const TriangleSoup& soup, Offset n)
   options.lloydIterations = 2;
   options.quasiNewton.iterations = 3;
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result, &features).ok());
+  CHECK(remesh::remesh({ mesh, surface, &features, options }, RunControl(), result).ok());
   return result;
 }
 

@@ -25,7 +25,7 @@ RemeshResult resultOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   RemeshResult result;
   RunControl control;
   control.schedule = schedule;
-  CHECK(remesh::remesh(mesh, surface, options, control, result, features).ok());
+  CHECK(remesh::remesh({ mesh, surface, features, options }, control, result).ok());
   return result;
 }
 

@@ -18,7 +18,7 @@ void testOthersStay()
   options.numberOfSites = 400;
   options.exactNumber = true;
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
   CHECK(result.topology.certificate.holds());
 
   // More than there may be: as many must go.
@@ -32,7 +32,7 @@ void testOthersStay()
     }
   }
   result.movedSites = 0;
-  CHECK(completeMesh(mesh, surface, options, RunControl(), result).ok());
+  CHECK(completeMesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
   CHECK(result.movedSites > 0); // six were taken away
   test::checkMadeOf(surface, result.sites, result.diagram, result.sums);
   Index stayed = 0;
@@ -61,7 +61,7 @@ void testFallsApart()
   {
     options.mostComponents = most;
     RemeshResult result;
-    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
     CHECK_EQUAL(result.fallsApart, most < 1.0);
     CHECK_EQUAL(result.components.count(), 400);
     CHECK_EQUAL(result.placement.positions.empty(), most < 1.0);
@@ -76,10 +76,10 @@ void testKeepDiagram()
   RemeshOptions options;
   options.numberOfSites = 300;
   RemeshResult kept;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), kept).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), kept).ok());
   options.keepDiagram = false;
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
   CHECK(kept.diagram.numberOfPieces() > 0);
   CHECK(result.diagram.sites.empty() && result.diagram.integrals.empty());
   CHECK(result.dual.triangles == kept.dual.triangles);

@@ -115,7 +115,7 @@ RemeshResult remeshed(
   options.quasiNewton.iterations = iterations;
   options.lloydIterations = iterations > 0 ? 5 : 0;
   RemeshResult result;
-  CHECK(remesh::remesh(input.mesh, input.surface, options, RunControl(), result).ok());
+  CHECK(remesh::remesh({ input.mesh, input.surface, nullptr, options }, RunControl(), result).ok());
   return result;
 }
 

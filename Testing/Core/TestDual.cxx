@@ -17,7 +17,8 @@ Sites relaxed(const EmbeddedSurface& surface, Offset n)
   CellSums sums;
   Convergence convergence;
   Index empty = 0;
-  CHECK(relaxLloyd(voronoi, surface, 15, 1, RunControl(), sites, sums, convergence, empty).ok());
+  CHECK(
+    relaxLloyd({ voronoi, surface, 1, sites, sums, convergence, empty }, 15, RunControl()).ok());
   return sites;
 }
 

@@ -46,7 +46,7 @@ inline Sites sampled(const EmbeddedSurface& surface, Offset count, std::uint64_t
   SamplingMethod method = SamplingMethod::Random)
 {
   Sites sites;
-  CHECK(sampleSurface(surface, count, method, seed, sites).ok());
+  CHECK(sampleSurface(surface, count, { method, seed }, sites).ok());
   return sites;
 }
 

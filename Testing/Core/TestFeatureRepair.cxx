@@ -264,7 +264,8 @@ void testLattice()
       options.maximumExtraPoints = extra;
       options.seed = seed;
       RemeshResult result;
-      CHECK(remesh::remesh(plate.mesh, plate.surface, options, RunControl(), result, &plate.features)
+      CHECK(remesh::remesh(
+        { plate.mesh, plate.surface, &plate.features, options }, RunControl(), result)
               .ok());
       CHECK(result.featureSites.numberOfPoints() > asked - 30); // as good as all of them
       CHECK(result.topology.preserved());

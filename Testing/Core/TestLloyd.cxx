@@ -29,7 +29,7 @@ void checkDescent(const EmbeddedSurface& surface, Sites sites, int steps)
   CellSums sums;
   Convergence convergence;
   Index empty = 0;
-  CHECK(relaxLloyd(voronoi, surface, 0, 1, RunControl(), sites, sums, convergence, empty).ok());
+  CHECK(relaxLloyd({ voronoi, surface, 1, sites, sums, convergence, empty }, 0, RunControl()).ok());
   CHECK_EQUAL(convergence.rows.size(), std::size_t(1));
   CHECK_EQUAL(convergence.rows[0].stepLength, 0.0);
   int rises = 0;
@@ -38,7 +38,7 @@ void checkDescent(const EmbeddedSurface& surface, Sites sites, int steps)
     const double energy = sums.totalEnergy;
     const double gain = leastGain(sums, surface.dimension);
     Convergence two;
-    CHECK(relaxLloyd(voronoi, surface, 1, 1, RunControl(), sites, sums, two, empty).ok());
+    CHECK(relaxLloyd({ voronoi, surface, 1, sites, sums, two, empty }, 1, RunControl()).ok());
     rises += !(sums.totalEnergy <= energy - gain + 1e-13 * energy);
     CHECK_EQUAL(two.rows.size(), std::size_t(2));
     CHECK_NEAR(two.rows[0].energy, energy, 1e-14 * energy); // the same sites, looked at again
@@ -85,7 +85,8 @@ void testHexagonal()
     CellSums sums;
     Convergence convergence;
     Index empty = 0;
-    CHECK(relaxLloyd(voronoi, surface, 100, 1, RunControl(), sites, sums, convergence, empty).ok());
+    CHECK(
+      relaxLloyd({ voronoi, surface, 1, sites, sums, convergence, empty }, 100, RunControl()).ok());
     const double g = sites.count() * sums.totalEnergy / (surface.mass * surface.mass);
     CHECK(g > 0.9 * hexagonal && g <= 1.03 * hexagonal);
   }
@@ -132,7 +133,8 @@ void checkFilled(const EmbeddedSurface& surface, Sites sites)
   CellSums sums;
   Convergence convergence;
   Index empty = -1;
-  CHECK(relaxLloyd(voronoi, surface, 20, 1, RunControl(), sites, sums, convergence, empty).ok());
+  CHECK(
+    relaxLloyd({ voronoi, surface, 1, sites, sums, convergence, empty }, 20, RunControl()).ok());
   CHECK_EQUAL(empty, 0);
   CHECK_EQUAL(sites.count(), n);
   const double mean = surface.mass / n;
@@ -204,7 +206,7 @@ void testOneSite()
   CellSums sums;
   Convergence convergence;
   Index empty = 0;
-  CHECK(relaxLloyd(voronoi, surface, 2, 1, RunControl(), sites, sums, convergence, empty).ok());
+  CHECK(relaxLloyd({ voronoi, surface, 1, sites, sums, convergence, empty }, 2, RunControl()).ok());
   // The centre of the sphere is the centroid; another step changes nothing.
   for (int k = 0; k < 3; ++k)
   {

@@ -27,7 +27,7 @@ void testOneStep()
     CellSums sums;
     Convergence rows;
     Index empty = 0;
-    CHECK(relaxLloyd(voronoi, surface, 20, 1, RunControl(), earlier, sums, rows, empty).ok());
+    CHECK(relaxLloyd({ voronoi, surface, 1, earlier, sums, rows, empty }, 20, RunControl()).ok());
     earlier.fixed = 300;
     Diagram diagram;
     CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
@@ -37,10 +37,9 @@ void testOneStep()
     test::append(later, 500, 1e-3);
     const Sites start = later;
     const SiteChanges changes = compareSites(earlier, later);
-    CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 1, 1, RunControl(), later)
-            .ok());
+    CHECK(relaxAround({ surface, earlier, diagram }, changes, { 1, 1 }, RunControl(), later).ok());
     Sites all = start;
-    CHECK(relaxLloyd(voronoi, surface, 1, 1, RunControl(), all, sums, rows, empty).ok());
+    CHECK(relaxLloyd({ voronoi, surface, 1, all, sums, rows, empty }, 1, RunControl()).ok());
     Index moved = 0;
     for (Index i = 0; i < later.count(); ++i)
     {
@@ -69,10 +68,9 @@ void testEmptyCell()
   CHECK(RestrictedVoronoi(surface).decompose(earlier, RunControl(), sums, diagram).ok());
   CHECK_EQUAL(countEmptyFree(earlier, sums), 1);
   Sites later = earlier;
-  const std::vector<double> places(earlier.site(150), earlier.site(150) + 6);
-  CHECK(relaxAround(
-    surface, diagram, earlier, compareSites(earlier, later), places, 2, 1, RunControl(), later)
-          .ok());
+  SiteChanges changes = compareSites(earlier, later);
+  changes.places.assign(earlier.site(150), earlier.site(150) + 6);
+  CHECK(relaxAround({ surface, earlier, diagram }, changes, { 2, 1 }, RunControl(), later).ok());
   CHECK_EQUAL(countEmptyFree(later, test::computed(surface, later).sums), 0);
   CHECK(sums.isEmpty(300));
   CHECK(!std::equal(later.site(300), later.site(300) + 6, earlier.site(300)));
@@ -116,8 +114,7 @@ void testLentCorners()
     test::erase(later, 70);
     const Sites start = later;
     const SiteChanges changes = compareSites(earlier, later);
-    CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 2, 1, RunControl(), later)
-            .ok());
+    CHECK(relaxAround({ surface, earlier, diagram }, changes, { 2, 1 }, RunControl(), later).ok());
     CHECK(later.coordinates != start.coordinates);
   }
   CHECK(moved[0].coordinates == moved[1].coordinates);
@@ -137,8 +134,7 @@ void testNothingToMove()
   later.fixed = 99;
   const Sites start = later;
   const SiteChanges changes = compareSites(earlier, later);
-  CHECK(relaxAround(surface, diagram, earlier, changes, changes.places, 2, 1, RunControl(), later)
-          .ok());
+  CHECK(relaxAround({ surface, earlier, diagram }, changes, { 2, 1 }, RunControl(), later).ok());
   CHECK(later.coordinates == start.coordinates);
 }
 }

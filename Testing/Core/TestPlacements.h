@@ -39,7 +39,8 @@ inline RemeshResult remeshed(
   options.numberOfSites = sites;
   options.placement = placement;
   RemeshResult result;
-  CHECK(remesh(mesh, gaussMapOf(mesh, anisotropy), options, RunControl(), result).ok());
+  CHECK(
+    remesh({ mesh, gaussMapOf(mesh, anisotropy), nullptr, options }, RunControl(), result).ok());
   return result;
 }
 

@@ -27,10 +27,10 @@ Run minimized(const EmbeddedSurface& surface, Sites sites, const QuasiNewtonOpti
   run.sites = std::move(sites);
   RestrictedVoronoi voronoi(surface);
   CHECK(relaxLloyd(
-    voronoi, surface, 0, 1, RunControl(), run.sites, run.sums, run.convergence, run.empty)
+    { voronoi, surface, 1, run.sites, run.sums, run.convergence, run.empty }, 0, RunControl())
           .ok());
   CHECK(minimizeQuasiNewton(
-    voronoi, surface, options, 1, RunControl(), run.sites, run.sums, run.convergence, run.empty)
+    { voronoi, surface, 1, run.sites, run.sums, run.convergence, run.empty }, options, RunControl())
           .ok());
   run.evaluations = voronoi.evaluations();
   return run;
@@ -111,7 +111,7 @@ void testFirstStepIsLloyds()
   CellSums sums;
   Convergence convergence;
   Index empty = 0;
-  CHECK(relaxLloyd(voronoi, surface, 3, 1, RunControl(), lloyd, sums, convergence, empty).ok());
+  CHECK(relaxLloyd({ voronoi, surface, 1, lloyd, sums, convergence, empty }, 3, RunControl()).ok());
   for (std::size_t k = 0; k < lloyd.coordinates.size(); ++k)
   {
     CHECK_NEAR(run.sites.coordinates[k], lloyd.coordinates[k], 1e-12);
@@ -188,7 +188,7 @@ void testFasterThanLloyd()
   Convergence convergence;
   Index empty = 0;
   CHECK(relaxLloyd(
-    voronoi, surface, run.evaluations - 1, 1, RunControl(), lloyd, sums, convergence, empty)
+    { voronoi, surface, 1, lloyd, sums, convergence, empty }, run.evaluations - 1, RunControl())
           .ok());
   CHECK(run.sums.totalEnergy < sums.totalEnergy);
   CHECK(run.sums.gradientNorm < sums.gradientNorm);

@@ -120,13 +120,14 @@ Optimized optimize(const EmbeddedSurface& surface, const Sites& start, Ranks* ra
   Convergence convergence;
   Index emptyCells = 0;
   result.status = relaxLloyd(
-    voronoi, surface, 2, 0, RunControl(), result.sites, result.sums, convergence, emptyCells);
+    { voronoi, surface, 0, result.sites, result.sums, convergence, emptyCells }, 2, RunControl());
   if (result.status.ok())
   {
     QuasiNewtonOptions options;
     options.iterations = 5;
-    result.status = minimizeQuasiNewton(voronoi, surface, options, 0, RunControl(), result.sites,
-      result.sums, convergence, emptyCells);
+    result.status = minimizeQuasiNewton(
+      { voronoi, surface, 0, result.sites, result.sums, convergence, emptyCells }, options,
+      RunControl());
   }
   return result;
 }

@@ -144,7 +144,7 @@ std::string run(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
   RunControl control;
   control.schedule = schedule;
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, control, result, features).ok());
+  CHECK(remesh::remesh({ mesh, surface, features, options }, control, result).ok());
   CHECK(features || result.sites.count() == Index(options.numberOfSites));
   return bytesOf(mesh, surface, result, control, features);
 }
@@ -268,7 +268,7 @@ void testFeatures()
   options.placement = VertexPlacement::Fit;
   checkCase(mesh, surface, options, &features);
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result, &features).ok());
+  CHECK(remesh::remesh({ mesh, surface, &features, options }, RunControl(), result).ok());
   CHECK(result.movedSites > 0);
   test::checkMadeOf(surface, result.sites, result.diagram, result.sums);
 }

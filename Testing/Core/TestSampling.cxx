@@ -173,7 +173,7 @@ void testErrors()
     for (const Offset n : { Offset(0), Offset(-1), maximumIndex + 1, Offset(1) << 40 })
     {
       Sites sites;
-      const Status status = sampleSurface(surface, n, method, 0, sites);
+      const Status status = sampleSurface(surface, n, { method, 0 }, sites);
       CHECK(status.code == StatusCode::InvalidInput);
       CHECK(status.message.find(std::to_string(n)) != std::string::npos);
       CHECK_EQUAL(sites.count(), 0);

@@ -53,7 +53,7 @@ void testHalves()
   CellSums sums;
   Convergence rows;
   Index empty = 0;
-  CHECK(relaxLloyd(voronoi, surface, 60, 1, RunControl(), coarse, sums, rows, empty).ok());
+  CHECK(relaxLloyd({ voronoi, surface, 1, coarse, sums, rows, empty }, 60, RunControl()).ok());
   Diagram diagram;
   CHECK(voronoi.decompose(coarse, RunControl(), sums, diagram).ok());
 

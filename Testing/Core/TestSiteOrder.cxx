@@ -54,12 +54,12 @@ void testRun()
   options.quasiNewton.iterations = 4;
   options.initialSites = test::sampled(surface, 300, 3);
   RemeshResult inTurn;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), inTurn).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), inTurn).ok());
   const std::vector<Index> order = shuffled(300);
   options.initialSites = inOrder(options.initialSites, order);
   CHECK(areScattered(options.initialSites));
   RemeshResult scattered;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), scattered).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), scattered).ok());
   const Sites expected = inOrder(inTurn.sites, order);
   CHECK_EQUAL(scattered.sites.count(), expected.count());
   for (std::size_t k = 0; k < expected.coordinates.size(); ++k)

@@ -21,7 +21,7 @@ int TestStrays(int, char*[])
     options.numberOfSites = number;
     options.exactNumber = true;
     RemeshResult result;
-    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
     CHECK_EQUAL(result.components.count(), number);
     CHECK(result.topology.preserved());
     CHECK_EQUAL(result.placement.edits.flippedEdges, 0); // so the mesh is still the dual

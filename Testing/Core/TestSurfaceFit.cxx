@@ -247,7 +247,7 @@ void testHeld()
   for (int k = 0; k < 3; ++k)
   {
     options.placement = ways[k];
-    CHECK(remesh::remesh(mesh, surface, options, RunControl(), results[k]).ok());
+    CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), results[k]).ok());
   }
   const Regularity before = liftedRegularity(results[0]);
   CHECK(!liftedRegularity(results[1]).isWithin(0.01, before)); // or this test tells nothing
@@ -266,7 +266,7 @@ void testRegularity()
   options.numberOfSites = 800;
   options.placement = VertexPlacement::Centroid;
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
   const std::vector<char> none;
   const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, none };

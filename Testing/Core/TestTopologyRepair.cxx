@@ -55,7 +55,7 @@ void testSpikes()
     RemeshOptions options = withSites(count, seed);
     options.exactNumber = true;
     RemeshResult result;
-    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
     CHECK_EQUAL(result.components.count(), Index(count));
     CHECK_EQUAL(result.emptyCells, 0);
     CHECK(result.topology.preserved());
@@ -240,8 +240,9 @@ void testClosedPatches()
     RemeshOptions options = withSites(asked, 0);
     options.exactNumber = true;
     RemeshResult result;
-    CHECK(remesh::remesh(parts.mesh, parts.surface, options, RunControl(), result, &parts.features)
-            .ok());
+    CHECK(
+      remesh::remesh({ parts.mesh, parts.surface, &parts.features, options }, RunControl(), result)
+        .ok());
     for (const Index count : parts.countSites(result.sites))
     {
       CHECK(count >= 4);
@@ -315,7 +316,7 @@ void testExtraPoints()
   {
     options.maximumExtraPoints = most;
     RemeshResult result;
-    CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+    CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
     CHECK_EQUAL(result.wantedVertices, 4);
     CHECK_EQUAL(result.topology.preserved(), most > 2);
     CHECK_EQUAL(
@@ -336,7 +337,7 @@ void testNothingAsked()
   options.quasiNewton.iterations = 0;
   options.initialSites = test::sampled(surface, 800, 1);
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, options, RunControl(), result).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
   CHECK_EQUAL(result.movedSites, 0);
   for (std::size_t k = 0; k < result.sites.coordinates.size(); ++k)
   {
@@ -350,7 +351,7 @@ void testHopeless()
   const SurfaceMesh mesh = spikySphere();
   const EmbeddedSurface surface = inSpace(mesh);
   RemeshResult result;
-  CHECK(remesh::remesh(mesh, surface, withSites(20, 1), RunControl(), result).ok());
+  CHECK(remesh::remesh({ mesh, surface, nullptr, withSites(20, 1) }, RunControl(), result).ok());
   CHECK_EQUAL(result.sites.count(), 20);
 }
 }

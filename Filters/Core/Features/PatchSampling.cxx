@@ -79,14 +79,10 @@ std::vector<Offset> leastCounts(
   }
   return least;
 }
-}
 
-std::vector<Offset> shareOutSites(
-  const FeaturedSurface& featured, const FeatureSites& featureSites, Offset wanted)
+/** At which the patches take n sites or hardly less. */
+double commonSpacing(const PatchSizes& sizes, const EmbeddedSurface& surface, double n)
 {
-  const PatchSizes sizes = measurePatches(featured);
-  const EmbeddedSurface& surface = featured.surface;
-  const auto n = static_cast<double>(std::max(wanted, Offset(0)));
   double high = std::sqrt(surface.siteMeasure / (cellArea * std::max(n, 1.0))); // less than n fit
   double low = high;
   for (int k = 0; k < halvings && sizes.totalDemand(low) < n; ++k)
@@ -98,15 +94,41 @@ std::vector<Offset> shareOutSites(
     const double middle = 0.5 * (low + high);
     (sizes.totalDemand(middle) < n ? high : low) = middle;
   }
+  return high;
+}
+
+/** Closed patches took more than their share: the largest give it back. */
+void giveBack(Offset surplus, std::vector<Offset>& counts)
+{
+  for (std::size_t k = 0; surplus > 0 && k < counts.size(); ++k)
+  {
+    Offset& most = *std::max_element(counts.begin(), counts.end());
+    const Offset spare = std::min(surplus, most / 2);
+    if (most - spare < leastClosed)
+    {
+      break;
+    }
+    most -= spare;
+    surplus -= spare;
+  }
+}
+}
+
+std::vector<Offset> shareOutSites(
+  const FeaturedSurface& featured, const FeatureSites& featureSites, Offset wanted)
+{
+  const PatchSizes sizes = measurePatches(featured);
+  const auto n = static_cast<double>(std::max(wanted, Offset(0)));
+  const double spacing = commonSpacing(sizes, featured.surface, n);
   // Rounded down, then up where the most was lost; lower patches first at a tie.
   const std::size_t patches = sizes.area.size();
   std::vector<Offset> counts(patches, 0);
   std::vector<double> lost(patches, 0.0);
-  const std::vector<Offset> least = leastCounts(sizes, surface, featureSites);
+  const std::vector<Offset> least = leastCounts(sizes, featured.surface, featureSites);
   Offset given = 0;
   for (std::size_t p = 0; p < patches; ++p)
   {
-    const double exact = n > 0.0 ? sizes.demand(p, high) : 0.0;
+    const double exact = n > 0.0 ? sizes.demand(p, spacing) : 0.0;
     counts[p] = static_cast<Offset>(exact);
     lost[p] = exact - static_cast<double>(counts[p]);
     if (counts[p] < least[p])
@@ -125,26 +147,14 @@ std::vector<Offset> shareOutSites(
     ++counts[order[k]];
     ++given;
   }
-  for (std::size_t k = 0; given > wanted && k < patches; ++k)
-  {
-    // Closed patches took more than their share: the largest give it back.
-    const auto most =
-      static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
-    const Offset spare = std::min(given - wanted, counts[most] / 2);
-    if (counts[most] - spare < leastClosed)
-    {
-      break;
-    }
-    counts[most] -= spare;
-    given -= spare;
-  }
+  giveBack(given - wanted, counts);
   return counts;
 }
 
-Status samplePatches(const EmbeddedSurface& surface, const Features& features,
-  const std::vector<Offset>& counts, SamplingMethod method, std::uint64_t seed, Sites& sites,
-  const RunControl& control)
+Status samplePatches(const FeaturedSurface& featured, const std::vector<Offset>& counts,
+  const SiteDrawing& drawing, Sites& sites, const RunControl& control)
 {
+  const Features& features = featured.features;
   const std::size_t patches = counts.size();
   std::vector<Offset> begin(patches + 1, 0);
   for (const Index patch : features.facetPatches)
@@ -163,7 +173,8 @@ Status samplePatches(const EmbeddedSurface& surface, const Features& features,
     if (counts[p] > 0)
     {
       const std::vector<Index> own(facets.begin() + begin[p], facets.begin() + begin[p + 1]);
-      if (Status status = drawSites(surface, own, counts[p], method, seed, sites, control.silent());
+      if (Status status = drawSites(
+            siteSampler(featured.surface, own), counts[p], drawing, sites, control.silent());
           !status.ok())
       {
         return status;

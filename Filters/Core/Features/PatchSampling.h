@@ -46,9 +46,8 @@ std::vector<Offset> shareOutSites(
  * Appends free sites to the fixed ones, drawn in each patch as sampleSurface does for the whole
  * surface. O(F + n log n).
  */
-Status samplePatches(const EmbeddedSurface& surface, const Features& features,
-  const std::vector<Offset>& counts, SamplingMethod method, std::uint64_t seed, Sites& sites,
-  const RunControl& control);
+Status samplePatches(const FeaturedSurface& featured, const std::vector<Offset>& counts,
+  const SiteDrawing& drawing, Sites& sites, const RunControl& control);
 }
 
 #endif

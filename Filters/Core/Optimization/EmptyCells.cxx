@@ -32,9 +32,9 @@ std::vector<double> energyOfFacets(
 }
 }
 
-Status integrateAndFill(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface,
-  std::uint64_t seed, const RunControl& control, Sites& sites, CellSums& sums, Index& emptyCells)
+Status integrateAndFill(const Relaxation& relaxation, const RunControl& control)
 {
+  auto& [voronoi, surface, seed, sites, sums, convergence, emptyCells] = relaxation;
   for (int round = 0;; ++round)
   {
     // Further rounds are rare and must not let the progress fall.

@@ -26,23 +26,21 @@ void moveToCentroids(const CellSums& sums, Sites& sites)
 }
 }
 
-Status relaxLloyd(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface, int iterations,
-  std::uint64_t seed, const RunControl& control, Sites& sites, CellSums& sums,
-  Convergence& convergence, Index& emptyCells)
+Status relaxLloyd(const Relaxation& relaxation, int iterations, const RunControl& control)
 {
+  const CellSums& sums = relaxation.sums;
   for (int step = 0; step <= iterations; ++step)
   {
     if (step > 0)
     {
-      moveToCentroids(sums, sites);
+      moveToCentroids(sums, relaxation.sites);
     }
-    if (Status status = integrateAndFill(
-          voronoi, surface, seed, control.step(step, iterations + 1), sites, sums, emptyCells);
+    if (Status status = integrateAndFill(relaxation, control.step(step, iterations + 1));
         !status.ok())
     {
       return status;
     }
-    convergence.add(sums.totalEnergy, sums.gradientNorm, step == 0 ? 0.0 : 1.0);
+    relaxation.convergence.add(sums.totalEnergy, sums.gradientNorm, step == 0 ? 0.0 : 1.0);
   }
   return Status::success();
 }

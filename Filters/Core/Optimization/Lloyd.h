@@ -8,10 +8,7 @@
 #ifndef remesh_Lloyd_h
 #define remesh_Lloyd_h
 
-#include "Optimization/Convergence.h"
-#include "Voronoi/RestrictedVoronoi.h"
-
-#include <cstdint>
+#include "Optimization/Relaxation.h"
 
 namespace remesh
 {
@@ -19,9 +16,7 @@ namespace remesh
  * Runs `iterations` steps; on return `sums` belongs to the final sites, and `convergence` has one
  * more row for the sites as they were given, of step length 0, and one for each step.
  */
-Status relaxLloyd(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface, int iterations,
-  std::uint64_t seed, const RunControl& control, Sites& sites, CellSums& sums,
-  Convergence& convergence, Index& emptyCells);
+Status relaxLloyd(const Relaxation& relaxation, int iterations, const RunControl& control);
 }
 
 #endif

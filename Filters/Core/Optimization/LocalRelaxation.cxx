@@ -57,6 +57,28 @@ void lendScaled(
   part.unit = 1.0;
 }
 
+/** Lends some corners, or copies them where they have few coordinates. */
+void giveCorners(
+  const EmbeddedSurface& surface, const std::vector<Index>& corners, EmbeddedSurface& part)
+{
+  if (surface.source.isLent())
+  {
+    part.source = surface.source.of(corners);
+    return;
+  }
+  if (surface.dimension >= manyDimensions)
+  {
+    lendScaled(surface, corners, part);
+    return;
+  }
+  part.corners.reserve(corners.size() * static_cast<std::size_t>(surface.dimension));
+  for (const Index corner : corners)
+  {
+    const double* row = surface.corner(corner);
+    part.corners.insert(part.corners.end(), row, row + surface.dimension);
+  }
+}
+
 /** Some facets as a surface of their own, in the same scaled units; it reads the surface's rows. */
 EmbeddedSurface extractFacets(const EmbeddedSurface& surface, const std::vector<Index>& facets)
 {
@@ -91,23 +113,7 @@ EmbeddedSurface extractFacets(const EmbeddedSurface& surface, const std::vector<
     part.siteMeasure += surface.siteMeasureOf(facet);
   }
   part.facetCorners = std::move(facetCorners);
-  if (surface.source.isLent())
-  {
-    part.source = surface.source.of(corners);
-  }
-  else if (surface.dimension >= manyDimensions)
-  {
-    lendScaled(surface, corners, part);
-  }
-  else
-  {
-    part.corners.reserve(corners.size() * static_cast<std::size_t>(surface.dimension));
-    for (const Index corner : corners)
-    {
-      const double* row = surface.corner(corner);
-      part.corners.insert(part.corners.end(), row, row + surface.dimension);
-    }
-  }
+  giveCorners(surface, corners, part);
   return part;
 }
 
@@ -171,14 +177,13 @@ SitesInPart sitesOn(const std::vector<Index>& facets, const Diagram& diagram,
 }
 }
 
-Status relaxAround(const EmbeddedSurface& surface, const Diagram& diagram, const Sites& earlier,
-  const SiteChanges& changes, const std::vector<double>& places, int iterations, std::uint64_t seed,
+Status relaxAround(const VertexPlaces& earlier, const SiteChanges& changes, const LloydSteps& steps,
   const RunControl& control, Sites& later)
 {
-  const Neighborhood around = findNeighborhood(surface, earlier, places);
-  const std::vector<Index> facets = facetsOf(diagram, around.covers);
-  const SitesInPart part = sitesOn(facets, diagram, around, changes, later);
-  const EmbeddedSurface partOfSurface = extractFacets(surface, facets);
+  const Neighborhood around = findNeighborhood(earlier.surface, earlier.sites, changes.places);
+  const std::vector<Index> facets = facetsOf(earlier.diagram, around.covers);
+  const SitesInPart part = sitesOn(facets, earlier.diagram, around, changes, later);
+  const EmbeddedSurface partOfSurface = extractFacets(earlier.surface, facets);
   Sites sites;
   sites.dimension = later.dimension;
   sites.fixed = part.fixed;
@@ -195,8 +200,8 @@ Status relaxAround(const EmbeddedSurface& surface, const Diagram& diagram, const
   CellSums sums;
   Convergence apart; // not the optimisation's
   Index emptyCells = 0;
-  Status status =
-    relaxLloyd(voronoi, partOfSurface, iterations, seed, control, sites, sums, apart, emptyCells);
+  Status status = relaxLloyd(
+    { voronoi, partOfSurface, steps.seed, sites, sums, apart, emptyCells }, steps.number, control);
   for (Index k = sites.fixed; status.ok() && k < sites.count(); ++k)
   {
     std::copy_n(sites.site(k), sites.dimension, later.site(part.ids[k]));

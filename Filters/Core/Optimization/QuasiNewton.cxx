@@ -215,11 +215,33 @@ double slopeAlong(
   return vectors.sum([&](std::size_t k) { return -2.0 * sums.moment[k] * direction[k]; });
 }
 
+/** A direction that sites go in, and the slope of the energy along it. */
+struct Descent
+{
+  std::vector<double> direction;
+  double slope = 0.0;
+};
+
+/** The Hessian's direction; Lloyd's, which always descends, where the history misleads. */
+void findDescent(
+  const CellSums& sums, const BlockedVectors& vectors, InverseHessian& hessian, Descent& descent)
+{
+  hessian.descend(sums, descent.direction);
+  stayNear(sums, vectors, descent.direction);
+  descent.slope = slopeAlong(sums, descent.direction, vectors);
+  if (!(descent.slope < 0.0))
+  {
+    hessian.clear();
+    hessian.descend(sums, descent.direction);
+    descent.slope = slopeAlong(sums, descent.direction, vectors);
+  }
+}
+
 /** Backtracks from the unit step until the energy has fallen enough. */
-Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& sums,
-  const std::vector<double>& direction, double slope, const BlockedVectors& vectors,
+Status search(const Relaxation& relaxation, const Descent& descent, const BlockedVectors& vectors,
   const RunControl& control, Trial& trial)
 {
+  const Sites& sites = relaxation.sites;
   trial.sites.dimension = sites.dimension;
   trial.sites.fixed = sites.fixed;
   trial.sites.coordinates.resize(sites.coordinates.size());
@@ -228,27 +250,52 @@ Status search(RestrictedVoronoi& voronoi, const Sites& sites, const CellSums& su
   for (int k = 0; k < mostTrials; ++k)
   {
     vectors.forEach([&](std::size_t c)
-      { trial.sites.coordinates[c] = sites.coordinates[c] + trial.length * direction[c]; });
+      { trial.sites.coordinates[c] = sites.coordinates[c] + trial.length * descent.direction[c]; });
     if (!vectors.complete())
     {
       return Status::cancelled();
     }
-    if (Status status =
-          voronoi.integrate(trial.sites, k == 0 ? control : control.silent(), trial.sums);
+    if (Status status = relaxation.voronoi.integrate(
+          trial.sites, k == 0 ? control : control.silent(), trial.sums);
         !status.ok())
     {
       return status;
     }
     holdFixedSites(trial.sites, trial.sums);
-    const double rise = trial.sums.totalEnergy - sums.totalEnergy;
-    if (rise <= sufficientDecrease * trial.length * slope)
+    const double rise = trial.sums.totalEnergy - relaxation.sums.totalEnergy;
+    if (rise <= sufficientDecrease * trial.length * descent.slope)
     {
       trial.accepted = true;
       break;
     }
-    trial.length = shorterLength(trial.length, slope, rise);
+    trial.length = shorterLength(trial.length, descent.slope, rise);
   }
   return Status::success();
+}
+
+/** Where sites of the trial have lost their cells, moves these, and forgets the history. */
+Status fill(
+  const Relaxation& relaxation, const RunControl& control, InverseHessian& hessian, Trial& trial)
+{
+  if (countEmptyFree(trial.sites, trial.sums) == 0)
+  {
+    return Status::success();
+  }
+  hessian.clear();
+  return integrateAndFill({ relaxation.voronoi, relaxation.surface, relaxation.seed, trial.sites,
+                            trial.sums, relaxation.convergence, relaxation.emptyCells },
+    control.silent());
+}
+
+/** Takes the trial over; tells by how much the energy has fallen. */
+double accept(const Relaxation& relaxation, Trial& trial)
+{
+  const CellSums& sums = relaxation.sums;
+  const double decrease = sums.totalEnergy - trial.sums.totalEnergy;
+  std::swap(relaxation.sites, trial.sites);
+  std::swap(relaxation.sums, trial.sums);
+  relaxation.convergence.add(sums.totalEnergy, sums.gradientNorm, trial.length);
+  return decrease;
 }
 }
 
@@ -266,29 +313,21 @@ int historyWithin(const EmbeddedSurface& surface, Offset numberOfSites, int want
   return std::min(wanted, std::max(3, static_cast<int>(share * embedding / pair)));
 }
 
-Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface,
-  const QuasiNewtonOptions& options, std::uint64_t seed, const RunControl& control, Sites& sites,
-  CellSums& sums, Convergence& convergence, Index& emptyCells)
+Status minimizeQuasiNewton(
+  const Relaxation& relaxation, const QuasiNewtonOptions& options, const RunControl& control)
 {
+  auto& [voronoi, surface, seed, sites, sums, convergence, emptyCells] = relaxation;
   const BlockedVectors vectors(sites.count(), sites.dimension, control);
   InverseHessian hessian(
     historyWithin(surface, sites.count(), options.historyLength), vectors, control);
   const double gradientBound = options.gradientTolerance * convergence.rows.front().gradientNorm;
-  std::vector<double> direction;
+  Descent descent;
   Trial trial;
   for (int step = 0; step < options.iterations && sums.gradientNorm > gradientBound; ++step)
   {
-    hessian.descend(sums, direction);
-    stayNear(sums, vectors, direction);
-    double slope = slopeAlong(sums, direction, vectors);
-    if (!(slope < 0.0))
-    {
-      hessian.clear(); // the history misleads: Lloyd's direction always descends
-      hessian.descend(sums, direction);
-      slope = slopeAlong(sums, direction, vectors);
-    }
-    if (Status status = search(voronoi, sites, sums, direction, slope, vectors,
-          control.step(step, options.iterations), trial);
+    findDescent(sums, vectors, hessian, descent);
+    if (Status status =
+          search(relaxation, descent, vectors, control.step(step, options.iterations), trial);
         !status.ok())
     {
       return status;
@@ -302,20 +341,11 @@ Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& su
     {
       return Status::cancelled();
     }
-    if (countEmptyFree(trial.sites, trial.sums) > 0)
+    if (Status status = fill(relaxation, control, hessian, trial); !status.ok())
     {
-      hessian.clear();
-      if (Status status = integrateAndFill(
-            voronoi, surface, seed, control.silent(), trial.sites, trial.sums, emptyCells);
-          !status.ok())
-      {
-        return status;
-      }
+      return status;
     }
-    const double decrease = sums.totalEnergy - trial.sums.totalEnergy;
-    std::swap(sites, trial.sites);
-    std::swap(sums, trial.sums);
-    convergence.add(sums.totalEnergy, sums.gradientNorm, trial.length);
+    const double decrease = accept(relaxation, trial);
     if (decrease <= options.energyTolerance * sums.totalEnergy)
     {
       break;

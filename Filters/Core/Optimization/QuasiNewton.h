@@ -13,10 +13,7 @@
 #ifndef remesh_QuasiNewton_h
 #define remesh_QuasiNewton_h
 
-#include "Optimization/Convergence.h"
-#include "Voronoi/RestrictedVoronoi.h"
-
-#include <cstdint>
+#include "Optimization/Relaxation.h"
 
 namespace remesh
 {
@@ -45,9 +42,8 @@ int historyWithin(const EmbeddedSurface& surface, Offset numberOfSites, int want
  * `convergence`, which has at least its first row, gets one more for each step. A site that loses
  * its cell is moved, and the history forgotten.
  */
-Status minimizeQuasiNewton(RestrictedVoronoi& voronoi, const EmbeddedSurface& surface,
-  const QuasiNewtonOptions& options, std::uint64_t seed, const RunControl& control, Sites& sites,
-  CellSums& sums, Convergence& convergence, Index& emptyCells);
+Status minimizeQuasiNewton(
+  const Relaxation& relaxation, const QuasiNewtonOptions& options, const RunControl& control);
 }
 
 #endif

@@ -110,14 +110,14 @@ void FacetSampler::drawOnCurve(double along, double* point) const
   this->interpolate(facet, b, point);
 }
 
-namespace
+Status drawSites(const FacetSampler& sampler, Offset count, const SiteDrawing& drawing,
+  Sites& sites, const RunControl& control)
 {
-/** Fills the sites from `first` on. */
-Status fillSites(const FacetSampler& sampler, SamplingMethod method, std::uint64_t seed,
-  Index first, Sites& sites, const RunControl& control)
-{
-  const Offset count = sites.count() - first;
-  if (method == SamplingMethod::Stratified)
+  const Index first = sites.count();
+  const std::uint64_t seed = drawing.seed;
+  sites.coordinates.resize(sites.coordinates.size() +
+    static_cast<std::size_t>(count) * static_cast<std::size_t>(sites.dimension));
+  if (drawing.method == SamplingMethod::Stratified)
   {
     return forEachItem(count, control,
              [&](Offset i)
@@ -144,7 +144,6 @@ Status fillSites(const FacetSampler& sampler, SamplingMethod method, std::uint64
     ? Status::success()
     : Status::cancelled();
 }
-}
 
 Status checkNumberOfSites(Offset numberOfSites)
 {
@@ -154,8 +153,8 @@ Status checkNumberOfSites(Offset numberOfSites)
     : Status::success();
 }
 
-Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, SamplingMethod method,
-  std::uint64_t seed, Sites& sites, const RunControl& control)
+Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites,
+  const SiteDrawing& drawing, Sites& sites, const RunControl& control)
 {
   if (Status status = checkNumberOfSites(numberOfSites); !status.ok())
   {
@@ -166,24 +165,16 @@ Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, Sampl
   {
     weights[facet] = surface.siteMeasureOf(facet);
   }
-  const FacetSampler sampler(surface, weights);
   sites = Sites{};
   sites.dimension = surface.dimension;
-  sites.coordinates.resize(
-    static_cast<std::size_t>(numberOfSites) * static_cast<std::size_t>(surface.dimension));
-  return fillSites(sampler, method, seed, 0, sites, control);
+  return drawSites(FacetSampler(surface, weights), numberOfSites, drawing, sites, control);
 }
 
-Status drawSites(const EmbeddedSurface& surface, const std::vector<Index>& facets, Offset count,
-  SamplingMethod method, std::uint64_t seed, Sites& sites, const RunControl& control)
+FacetSampler siteSampler(const EmbeddedSurface& surface, const std::vector<Index>& facets)
 {
   std::vector<double> weights(facets.size());
   std::transform(facets.begin(), facets.end(), weights.begin(),
     [&](Index facet) { return surface.siteMeasureOf(facet); });
-  const FacetSampler sampler(surface, weights, facets);
-  const Index first = sites.count();
-  sites.coordinates.resize(sites.coordinates.size() +
-    static_cast<std::size_t>(count) * static_cast<std::size_t>(surface.dimension));
-  return fillSites(sampler, method, seed, first, sites, control);
+  return FacetSampler(surface, weights, facets);
 }
 }

@@ -19,6 +19,13 @@ enum class SamplingMethod
   Stratified ///< one site in each of n strata of equal area along a space-filling curve
 };
 
+/** How sites are drawn. */
+struct SiteDrawing
+{
+  SamplingMethod method;
+  std::uint64_t seed;
+};
+
 /** InvalidInput for n < 1 or more sites than an Index holds. */
 Status checkNumberOfSites(Offset numberOfSites);
 
@@ -36,15 +43,8 @@ Status checkNumberOfSites(Offset numberOfSites);
  *
  * @return InvalidInput for n < 1 or more sites than an Index holds.
  */
-Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites, SamplingMethod method,
-  std::uint64_t seed, Sites& sites, const RunControl& control = RunControl());
-
-/**
- * Draws so many further sites in the same way from some facets of the surface, by their measure.
- * The random numbers are those of the sites' ids. O(facets + n log n).
- */
-Status drawSites(const EmbeddedSurface& surface, const std::vector<Index>& facets, Offset count,
-  SamplingMethod method, std::uint64_t seed, Sites& sites, const RunControl& control);
+Status sampleSurface(const EmbeddedSurface& surface, Offset numberOfSites,
+  const SiteDrawing& drawing, Sites& sites, const RunControl& control = RunControl());
 
 /** Draws points with a probability proportional to a weight per facet, uniform within a facet. */
 class FacetSampler
@@ -72,6 +72,16 @@ private:
   std::vector<double> m_running; ///< running sums of the weights
   std::vector<Index> m_facets;   ///< what the sums stand for; empty: all facets
 };
+
+/** Draws from some facets as sampleSurface does from all, by their measure. O(facets). */
+FacetSampler siteSampler(const EmbeddedSurface& surface, const std::vector<Index>& facets);
+
+/**
+ * Draws so many further sites; their dimension is that of the surface.
+ * The random numbers are those of the sites' ids. O(n log n).
+ */
+Status drawSites(const FacetSampler& sampler, Offset count, const SiteDrawing& drawing,
+  Sites& sites, const RunControl& control);
 }
 
 #endif

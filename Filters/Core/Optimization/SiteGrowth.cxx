@@ -115,25 +115,6 @@ struct Candidate
   bool wanted = false;
 };
 
-Status findCandidates(const Sites& drawn, const std::vector<Index>& own, const CoarseCells& cells,
-  const NeighborSearch& coarseSearch, const GrownSites& grown, const RunControl& control,
-  std::vector<Candidate>& candidates)
-{
-  const NeighborSearch grownSearch(grown.sites);
-  candidates.resize(own.size());
-  const auto find = [&](Offset k)
-  {
-    const double* const site = drawn.site(own[k]);
-    const Index nearest = grownSearch.nearest(site);
-    const double gap =
-      squaredDistance<Eigen::Dynamic>(site, grown.sites.site(nearest), drawn.dimension);
-    candidates[k] = { own[k], coarseSearch.nearest(site),
-      gap * cells.scales[grown.parents[nearest][0]], false };
-  };
-  return forEachItem(static_cast<Offset>(own.size()), control, find) ? Status::success()
-                                                                     : Status::cancelled();
-}
-
 /** Marks as many in each cell as are due to it and have not grown. Sorts them by cells. */
 void chooseInCells(
   const CoarseCells& cells, const GrownSites& grown, std::vector<Candidate>& candidates)
@@ -190,35 +171,72 @@ Sites addCandidates(std::vector<Candidate>& candidates, std::size_t count, const
   return inOrder(sites, order);
 }
 
-/** The free sites of one patch. Where nothing grows, the drawn ones. */
-Status growPatch(const Sites& drawn, const std::vector<Index>& own, const CoarseCells& cells,
-  const std::vector<Index>& coarseSites, const NeighborSearch& coarseSearch,
-  const RunControl& control, Sites& sites)
+/** Finds the free sites of one patch after the other. */
+class PatchGrower
 {
-  PatchGrowth growth(cells);
-  for (const Index site : coarseSites)
+public:
+  PatchGrower(const Sites& drawn, const CoarseCells& cells)
+    : m_drawn(drawn)
+    , m_cells(cells)
+    , m_search(cells.sites)
   {
-    if (cells.grows[site])
-    {
-      growth.addCell(site);
-    }
   }
-  GrownSites grown = growth.grown(own.size());
-  if (grown.parents.empty())
+
+  /**
+   * Where nothing grows, the drawn sites.
+   *
+   * @param own drawn sites of the patch.
+   * @param coarseSites of the patch.
+   */
+  Status grow(const std::vector<Index>& own, const std::vector<Index>& coarseSites,
+    const RunControl& control, Sites& sites) const
   {
-    sites = inOrder(drawn, own);
+    PatchGrowth growth(m_cells);
+    for (const Index site : coarseSites)
+    {
+      if (m_cells.grows[site])
+      {
+        growth.addCell(site);
+      }
+    }
+    const GrownSites grown = growth.grown(own.size());
+    if (grown.parents.empty())
+    {
+      sites = inOrder(m_drawn, own);
+      return Status::success();
+    }
+    std::vector<Candidate> candidates;
+    if (!this->findCandidates(own, grown, control, candidates))
+    {
+      return Status::cancelled();
+    }
+    chooseInCells(m_cells, grown, candidates);
+    sites = addCandidates(candidates, own.size() - grown.parents.size(), m_drawn, grown);
     return Status::success();
   }
-  std::vector<Candidate> candidates;
-  if (Status status = findCandidates(drawn, own, cells, coarseSearch, grown, control, candidates);
-      !status.ok())
+
+private:
+  bool findCandidates(const std::vector<Index>& own, const GrownSites& grown,
+    const RunControl& control, std::vector<Candidate>& candidates) const
   {
-    return status;
+    const NeighborSearch grownSearch(grown.sites);
+    candidates.resize(own.size());
+    return forEachItem(static_cast<Offset>(own.size()), control,
+      [&](Offset k)
+      {
+        const double* const site = m_drawn.site(own[k]);
+        const Index nearest = grownSearch.nearest(site);
+        const double gap =
+          squaredDistance<Eigen::Dynamic>(site, grown.sites.site(nearest), m_drawn.dimension);
+        candidates[k] = { own[k], m_search.nearest(site),
+          gap * m_cells.scales[grown.parents[nearest][0]], false };
+      });
   }
-  chooseInCells(cells, grown, candidates);
-  sites = addCandidates(candidates, own.size() - grown.parents.size(), drawn, grown);
-  return Status::success();
-}
+
+  const Sites& m_drawn;
+  const CoarseCells& m_cells;
+  NeighborSearch m_search; ///< of the coarse sites
+};
 }
 
 Status growSites(const EmbeddedSurface& surface, const CoarseTessellation& coarse,
@@ -239,7 +257,7 @@ Status growSites(const EmbeddedSurface& surface, const CoarseTessellation& coars
     return status;
   }
 
-  const NeighborSearch coarseSearch(coarse.sites);
+  const PatchGrower grower(sites, cells);
   Sites result;
   result.dimension = sites.dimension;
   result.fixed = sites.fixed;
@@ -247,9 +265,7 @@ Status growSites(const EmbeddedSurface& surface, const CoarseTessellation& coars
   for (Index patch = 0; patch < numberOfPatches; ++patch)
   {
     Sites grown;
-    if (Status status =
-          growPatch(sites, drawn[patch], cells, coarseSites[patch], coarseSearch, control, grown);
-        !status.ok())
+    if (Status status = grower.grow(drawn[patch], coarseSites[patch], control, grown); !status.ok())
     {
       return status;
     }

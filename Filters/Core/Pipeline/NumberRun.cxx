@@ -132,8 +132,9 @@ struct NumberRun
         : endsEarly || smoothing > 1.0                             ? shareOfOthers
                                                                    : 0.0;
       this->filled = 1.0 - others;
-      status = remesh(prepared.mesh, prepared.surface, this->request.options,
-        control.part(shareOfPreparation, this->filled), result, prepared.featuresOrNone());
+      status = remesh(
+        { prepared.mesh, prepared.surface, prepared.featuresOrNone(), this->request.options },
+        control.part(shareOfPreparation, this->filled), result);
     }
     this->seconds += result.seconds;
     this->evaluations += result.evaluations;

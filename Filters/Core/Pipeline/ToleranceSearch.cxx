@@ -312,8 +312,9 @@ Status refine(
   }
   dropEmpty(sums, first, result.sites);
   result.movedSites += result.sites.count() - first;
-  return completeMesh(search.mesh, search.surface, search.request.options, control.part(0.3, 1.0),
-    result, search.outcome.prepared.featuresOrNone());
+  return completeMesh({ search.mesh, search.surface, search.outcome.prepared.featuresOrNone(),
+                        search.request.options },
+    control.part(0.3, 1.0), result);
 }
 }
 

@@ -344,8 +344,8 @@ void SiteCandidate::replaceSites(Sites sites, Index added, Offset extraPoints)
 Status SiteCandidate::settle(const RunControl& control)
 {
   const SiteChanges changes = compareSites(*m_judged, m_result.sites);
-  Status status = relaxAround(m_task.surface, m_result.diagram, *m_judged, changes, changes.places,
-    settlingSteps, m_task.options.seed, control, m_result.sites);
+  Status status = relaxAround({ m_task.surface, *m_judged, m_result.diagram }, changes,
+    { settlingSteps, m_task.options.seed }, control, m_result.sites);
   roundToCaller(m_task.surface, m_result.sites);
   return status;
 }

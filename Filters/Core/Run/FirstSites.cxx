@@ -40,7 +40,7 @@ double shareApart(
   Sites places;
   places.dimension = surface.dimension;
   const Status status =
-    sampleSurface(surface, probes, SamplingMethod::Stratified, 0, places, control);
+    sampleSurface(surface, probes, { SamplingMethod::Stratified, 0 }, places, control);
   if (!status.ok() || sites.count() == 0)
   {
     return 1.0;
@@ -110,13 +110,31 @@ Status drawFreeSites(const Task& task, const std::vector<Offset>& counts, const 
   RemeshResult& result)
 {
   const RemeshOptions& options = task.options;
-  if (task.features)
+  const SiteDrawing drawing{ options.sampling, options.seed };
+  return task.features ? samplePatches(task.featured(), counts, drawing, result.sites, control)
+                       : sampleSurface(task.surface, counts[0], drawing, result.sites, control);
+}
+
+/** A few iterations, and the diagram. */
+Status relaxCoarse(const Task& task, const RunControl& control, RemeshResult& coarse)
+{
+  RestrictedVoronoi voronoi(task.surface);
+  voronoi.divideAmong(task.options.ranks);
+  const Relaxation relaxation = task.relaxation(voronoi, coarse);
+  QuasiNewtonOptions newton = task.options.quasiNewton;
+  newton.iterations = std::min(newton.iterations, coarseNewton);
+  Status status =
+    relaxLloyd(relaxation, std::min(task.options.lloydIterations, coarseLloyd), control.step(0, 3));
+  if (status.ok())
   {
-    return samplePatches(
-      task.surface, *task.features, counts, options.sampling, options.seed, result.sites, control);
+    status = minimizeQuasiNewton(relaxation, newton, control.step(1, 3));
   }
-  return sampleSurface(
-    task.surface, counts[0], options.sampling, options.seed, result.sites, control);
+  if (status.ok())
+  {
+    status = voronoi.decompose(coarse.sites, control.step(2, 3), coarse.sums, coarse.diagram);
+  }
+  coarse.evaluations = voronoi.evaluations();
+  return status;
 }
 
 /** Grows free sites from those of a quarter as many, where enough of them would be of use. */
@@ -139,25 +157,11 @@ Status growFreeSites(const Task& task, const RunControl& control, RemeshResult& 
     status = drawFreeSites(
       coarseTask, shareOut(coarseTask, coarse, coarseSites + 2), control.silent(), coarse);
   }
-  RestrictedVoronoi voronoi(task.surface);
-  voronoi.divideAmong(task.options.ranks);
   if (status.ok())
   {
-    status = relaxLloyd(voronoi, task.surface, std::min(options.lloydIterations, coarseLloyd),
-      options.seed, control.step(0, 3), coarse.sites, coarse.sums, coarse.convergence,
-      coarse.emptyCells);
+    status = relaxCoarse(coarseTask, control, coarse);
   }
-  if (status.ok())
-  {
-    options.quasiNewton.iterations = std::min(options.quasiNewton.iterations, coarseNewton);
-    status = minimizeQuasiNewton(voronoi, task.surface, options.quasiNewton, options.seed,
-      control.step(1, 3), coarse.sites, coarse.sums, coarse.convergence, coarse.emptyCells);
-  }
-  if (status.ok())
-  {
-    status = voronoi.decompose(coarse.sites, control.step(2, 3), coarse.sums, coarse.diagram);
-  }
-  result.evaluations = voronoi.evaluations();
+  result.evaluations = coarse.evaluations;
   return status.ok() ? growSites(task.surface, { coarse.sites, coarse.sums, coarse.diagram },
                          control.silent(), result.sites)
                      : status;

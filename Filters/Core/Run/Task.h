@@ -6,6 +6,7 @@
 #define remesh_Task_h
 
 #include "Features/FeaturedSurface.h"
+#include "Optimization/Relaxation.h"
 #include "Placement/WholeSurface.h"
 #include "Run/RemeshResult.h"
 
@@ -49,6 +50,13 @@ struct Task
       this->whole = std::make_shared<const WholeSurface>(this->mesh, control);
     }
     return *this->whole;
+  }
+
+  /** What the optimisation of the result's sites reads and changes. */
+  Relaxation relaxation(RestrictedVoronoi& voronoi, RemeshResult& result) const
+  {
+    return { voronoi, this->surface, this->options.seed, result.sites, result.sums,
+      result.convergence, result.emptyCells };
   }
 
   /** Only if there are features. */
