@@ -143,38 +143,30 @@ void tellWrongTriangles(const RemeshResult& result, std::vector<std::string>& wa
 }
 }
 
-std::vector<std::string> warningsOf(const RunRequest& request, const RunOutcome& outcome)
+namespace
 {
-  const RemeshResult& result = outcome.result;
-  const RemeshOptions& options = request.options;
-  const bool hasNumber = request.hasNumber();
-  std::vector<std::string> warnings = outcome.prepared.warnings;
-  if (!options.optimize)
-  {
-    return warnings;
-  }
-  if (hasNumber)
-  {
-    tellDroppedCreases(outcome.prepared, warnings);
-  }
-  if (hasNumber && result.emptyCells > 0)
+/** What keeps the mesh from the number of points that was asked for. */
+void tellNumber(
+  const RemeshResult& result, const RemeshOptions& options, std::vector<std::string>& warnings)
+{
+  if (result.emptyCells > 0)
   {
     warnings.push_back(std::to_string(result.emptyCells) +
       " sites have empty cells: the surface cannot hold so many points.");
   }
   const Offset extra = result.extraVertices();
-  if (hasNumber && result.hasTooManyVertices(options))
+  if (result.hasTooManyVertices(options))
   {
     warnings.push_back("The mesh has " + std::to_string(extra) +
       " points more than asked for, as features take so many, each component and patch a few, or "
       "so many cells reach several parts of the surface. More points or less anisotropy help.");
   }
-  if (hasNumber && extra < 0 && result.emptyCells == 0)
+  if (extra < 0 && result.emptyCells == 0)
   {
     warnings.push_back("The mesh has fewer points than asked for, by " + std::to_string(-extra) +
       ", as so many cells reach several parts of the surface. More points help.");
   }
-  if (hasNumber && 2 * result.neededFeaturePoints > options.numberOfSites)
+  if (2 * result.neededFeaturePoints > options.numberOfSites)
   {
     warnings.push_back("Corners and curves of the surface need " +
       std::to_string(result.neededFeaturePoints) + " of the " +
@@ -182,6 +174,23 @@ std::vector<std::string> warningsOf(const RunRequest& request, const RunOutcome&
       std::to_string(result.components.count()) + ", " +
       std::to_string(result.featureSites.numberOfPoints()) +
       " of them there. More points or a larger feature angle help.");
+  }
+}
+}
+
+std::vector<std::string> warningsOf(const RunRequest& request, const RunOutcome& outcome)
+{
+  const RemeshResult& result = outcome.result;
+  const bool hasNumber = request.hasNumber();
+  std::vector<std::string> warnings = outcome.prepared.warnings;
+  if (!request.options.optimize)
+  {
+    return warnings;
+  }
+  if (hasNumber)
+  {
+    tellDroppedCreases(outcome.prepared, warnings);
+    tellNumber(result, request.options, warnings);
   }
   if (result.topology.lost())
   {

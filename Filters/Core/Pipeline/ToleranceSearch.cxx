@@ -83,6 +83,27 @@ Index componentAt(const Search& search, const Excess& excess)
   return search.result.components.ofPiece[nearest];
 }
 
+/** @param place of the surface, in that facet or near it. */
+Excess excessAt(const Search& search, double distance, Index facet, const Point3& place)
+{
+  const auto& [a, b, c] = search.mesh.facetPoints[facet];
+  const std::vector<Point3>& points = search.mesh.points;
+  Excess excess{ distance, facet, closestOnTriangle(place, points[a], points[b], points[c]) };
+  excess.component = componentAt(search, excess);
+  return excess;
+}
+
+/** Orders them by component, and leaves the farthest of each alone. */
+void keepFarthest(std::vector<Excess>& excess)
+{
+  std::stable_sort(excess.begin(), excess.end(),
+    [](const Excess& a, const Excess& b)
+    { return a.component != b.component ? a.component < b.component : a.distance > b.distance; });
+  excess.erase(std::unique(excess.begin(), excess.end(),
+                 [](const Excess& a, const Excess& b) { return a.component == b.component; }),
+    excess.end());
+}
+
 /** Both ways; ordered by component, the farthest of each alone. */
 Status findExcess(const Search& search, const RunControl& control, std::vector<Excess>& excess)
 {
@@ -99,14 +120,6 @@ Status findExcess(const Search& search, const RunControl& control, std::vector<E
     return Status::invalid("The mesh has no triangle with an area above 0.");
   }
   excess.clear();
-  const auto add = [&](double distance, Index facet, const Point3& place)
-  {
-    const Triple& points = search.mesh.facetPoints[facet];
-    excess.push_back({ distance, facet,
-      closestOnTriangle(place, search.mesh.points[points[0]], search.mesh.points[points[1]],
-        search.mesh.points[points[2]]) });
-    excess.back().component = componentAt(search, excess.back());
-  };
   if (Status status = findPlacesBeyond(mesh, search.tree, limit, control.step(0, 2), places);
       !status.ok())
   {
@@ -114,7 +127,8 @@ Status findExcess(const Search& search, const RunControl& control, std::vector<E
   }
   for (const FarPlace& far : places)
   {
-    add(far.distance, search.tree.triangleOf(search.tree.closest(far.place).slot), far.place);
+    const Index facet = search.tree.triangleOf(search.tree.closest(far.place).slot);
+    excess.push_back(excessAt(search, far.distance, facet, far.place));
   }
   if (Status status =
         findPlacesBeyond(trianglesOf(search.mesh), meshTree, limit, control.step(1, 2), places);
@@ -124,14 +138,9 @@ Status findExcess(const Search& search, const RunControl& control, std::vector<E
   }
   for (const FarPlace& far : places)
   {
-    add(far.distance, far.triangle, far.place);
+    excess.push_back(excessAt(search, far.distance, far.triangle, far.place));
   }
-  std::stable_sort(excess.begin(), excess.end(),
-    [](const Excess& a, const Excess& b)
-    { return a.component != b.component ? a.component < b.component : a.distance > b.distance; });
-  excess.erase(std::unique(excess.begin(), excess.end(),
-                 [](const Excess& a, const Excess& b) { return a.component == b.component; }),
-    excess.end());
+  keepFarthest(excess);
   return Status::success();
 }
 
@@ -327,6 +336,40 @@ Offset numberForTolerance(const NumberTrial& pilot, const ToleranceRequest& requ
     std::min(std::max(estimate, least), static_cast<double>(request.mostPoints)));
 }
 
+namespace
+{
+/** Tells why the rounds end, and which cells are still too far. */
+void conclude(const std::vector<Excess>& excess, Offset room, ToleranceOutcome& reached)
+{
+  reached.how = excess.empty() ? ToleranceOutcome::Kept
+    : room <= 0                ? ToleranceOutcome::TooManyPoints
+                               : ToleranceOutcome::Stuck;
+  reached.farCells.clear();
+  for (const Excess& each : excess)
+  {
+    reached.farCells.push_back(each.component);
+  }
+}
+
+/** Adds sites where the mesh is too far, in more and more of a hurry. @param idle rounds. */
+Status addSites(Search& search, const std::vector<Excess>& excess, Offset room, int idle,
+  const RunControl& control)
+{
+  const RemeshResult& result = search.result;
+  const double share = static_cast<double>(excess.size()) / result.components.count();
+  std::vector<double> added = newSites(search, excess, room);
+  if (idle >= crowdingRounds && share < fewFarCells)
+  {
+    crowd(search, excess, room, added);
+  }
+  const bool othersStay = idle > 0 || share < fewFarCells;
+  std::vector<char> moves = othersStay
+    ? std::vector<char>(static_cast<std::size_t>(result.sites.count()), 0)
+    : sitesAround(search, excess);
+  return refine(search, std::move(moves), added, control);
+}
+}
+
 Status refineToTolerance(const RunRequest& request, Offset manyPoints, RunControl control,
   RunOutcome& outcome, ToleranceOutcome& reached)
 {
@@ -353,27 +396,10 @@ Status refineToTolerance(const RunRequest& request, Offset manyPoints, RunContro
     const Offset room = number < manyPoints ? request.tolerance.mostPoints - number : 0;
     if (excess.empty() || room <= 0 || idle == mostIdleRounds || round == mostRounds)
     {
-      reached.how = excess.empty() ? ToleranceOutcome::Kept
-        : room <= 0                ? ToleranceOutcome::TooManyPoints
-                                   : ToleranceOutcome::Stuck;
-      reached.farCells.clear();
-      for (const Excess& each : excess)
-      {
-        reached.farCells.push_back(each.component);
-      }
+      conclude(excess, room, reached);
       return Status::success();
     }
-    std::vector<double> added = newSites(search, excess, room);
-    const bool othersStay = idle > 0 || share < fewFarCells;
-    if (idle >= crowdingRounds && share < fewFarCells)
-    {
-      crowd(search, excess, room, added);
-    }
-    std::vector<char> moves = othersStay
-      ? std::vector<char>(static_cast<std::size_t>(result.sites.count()), 0)
-      : sitesAround(search, excess);
-    if (Status status = refine(search, std::move(moves), added, control.part(0.1, 0.5));
-        !status.ok())
+    if (Status status = addSites(search, excess, room, idle, control.part(0.1, 0.5)); !status.ok())
     {
       return status;
     }
