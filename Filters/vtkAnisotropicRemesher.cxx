@@ -79,6 +79,22 @@ remesh::Status vtkAnisotropicRemesher::CheckParameters()
   return check.status().ok() ? this->Superclass::CheckParameters() : check.status();
 }
 
+remesh::RemeshOptions vtkAnisotropicRemesher::MakeOptions() const
+{
+  remesh::RemeshOptions options;
+  options.numberOfSites = this->NumberOfPoints;
+  options.sampling = this->SamplingMethod == RANDOM ? remesh::SamplingMethod::Random
+                                                    : remesh::SamplingMethod::Stratified;
+  options.coarseStart = this->CoarseStart;
+  options.seed = static_cast<std::uint64_t>(this->Seed);
+  options.lloydIterations = this->NumberOfLloydIterations;
+  options.quasiNewton.iterations = this->NumberOfNewtonIterations;
+  options.quasiNewton.historyLength = this->HistoryLength;
+  options.quasiNewton.gradientTolerance = this->GradientTolerance;
+  options.quasiNewton.energyTolerance = this->EnergyTolerance;
+  return options;
+}
+
 int vtkAnisotropicRemesher::RequestWhole(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -110,21 +126,11 @@ int vtkAnisotropicRemesher::RequestWhole(
   request.tolerance = { isTolerance ? this->DistanceTolerance : 0.0,
     this->DistanceToleranceIsAbsolute, this->MaximumNumberOfPoints, isOnePercent };
   request.unit = { this->UnitEdges, this->MetricComplexity };
-  remesh::RemeshOptions& options = request.options;
-  options.exactNumber = request.preparation.preserveFeatures;
-  options.numberOfSites = this->NumberOfPoints;
-  options.maximumExtraPoints = isOnePercent         ? points / 100
+  request.options = this->MakeOptions();
+  request.options.exactNumber = request.preparation.preserveFeatures;
+  request.options.maximumExtraPoints = isOnePercent ? points / 100
     : this->MaximumNumberOfExtraPoints == UNLIMITED ? remesh::maximumIndex
                                                     : this->MaximumNumberOfExtraPoints;
-  options.sampling = this->SamplingMethod == RANDOM ? remesh::SamplingMethod::Random
-                                                    : remesh::SamplingMethod::Stratified;
-  options.coarseStart = this->CoarseStart;
-  options.seed = static_cast<std::uint64_t>(this->Seed);
-  options.lloydIterations = this->NumberOfLloydIterations;
-  options.quasiNewton.iterations = this->NumberOfNewtonIterations;
-  options.quasiNewton.historyLength = this->HistoryLength;
-  options.quasiNewton.gradientTolerance = this->GradientTolerance;
-  options.quasiNewton.energyTolerance = this->EnergyTolerance;
   const int done = this->ComputeDiagram(inputVector, outputVector, std::move(request));
   if (done && !isEmpty && initialSites && this->DistanceTolerance > 0.0)
   {

@@ -69,6 +69,11 @@
 
 #include "vtkRestrictedVoronoiAlgorithm.h"
 
+namespace remesh
+{
+struct RemeshOptions;
+}
+
 class VTKFILTERSANISOTROPICREMESHING_EXPORT vtkAnisotropicRemesher
   : public vtkRestrictedVoronoiAlgorithm
 {
@@ -323,6 +328,8 @@ protected:
 private:
   vtkAnisotropicRemesher(const vtkAnisotropicRemesher&) = delete;
   void operator=(const vtkAnisotropicRemesher&) = delete;
+
+  remesh::RemeshOptions MakeOptions() const;
 
   vtkIdType NumberOfPoints = 10000;
   bool UnitEdges = false;

@@ -88,15 +88,8 @@ int vtkGaussMapEmbedding::RequestWhole(
   {
     return outcome == vtkInternals::Outcome::Nothing;
   }
-  for (const std::string& warning : prepared.warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
-  const std::string distribution = remesh::describeDistribution(inputVector[0]);
-  if (!distribution.empty())
-  {
-    vtkWarningMacro(<< distribution);
-  }
+  prepared.warnings.push_back(remesh::describeDistribution(inputVector[0]));
+  remesh::showWarnings(this, prepared.warnings);
   return 1;
 }
 

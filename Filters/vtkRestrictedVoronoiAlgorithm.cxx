@@ -123,77 +123,101 @@ double vtkRestrictedVoronoiAlgorithm::GetPhaseSeconds(const char* phase) const
 
 namespace
 {
-struct PortChoice
-{
-  bool VoronoiCells;
-  bool Edges;
-  int LargestDimension; ///< of the array `Embedding` of port 1
-};
-
 /** Fills the ports one by one; what is in them is of no use when the run was aborted. */
-remesh::Status writePorts(const remesh::DiagramSource& source, const PortChoice& choice,
-  remesh::RunControl control, vtkInformationVector* ports, std::vector<std::string>& warnings)
+class PortWriter
 {
+public:
   using Ports = vtkRestrictedVoronoiAlgorithm;
-  remesh::DiagramPoints points;
-  remesh::EdgeTable edges;
-  // The executive passed the input's field data: what it tells of an earlier run is not true here.
-  for (int port = 0; port < ports->GetNumberOfInformationObjects(); ++port)
+
+  /** @param filter tells which ports are filled. */
+  PortWriter(const remesh::DiagramSource& source, vtkRestrictedVoronoiAlgorithm* filter,
+    vtkInformationVector* ports)
+    : Source(source)
+    , Filter(filter)
+    , Outputs(ports)
   {
-    remesh::removeReserved(
-      remesh::meshFactNames, vtkDataObject::GetData(ports, port)->GetFieldData());
   }
-  const std::function<void()> steps[] = {
-    [&]() { remesh::writeSurface(source, vtkPolyData::GetData(ports, Ports::SURFACE), warnings); },
-    [&]()
-    {
-      if (choice.VoronoiCells || choice.Edges)
-      {
-        edges = remesh::buildCutEdgeTable(
-          source.prepared.mesh, source.prepared.featuresOrNone(), source.control);
-        // When one of these is cancelled, so is the run, which is asked about after each step.
-        if (!source.control.cancelled())
-        {
-          static_cast<void>(remesh::numberDiagramPoints(source.prepared.mesh, edges,
-            { source.surface(), source.result.sites, source.result.diagram }, source.control,
-            points));
-        }
-      }
-    },
-    [&]()
-    {
-      if (choice.VoronoiCells)
-      {
-        remesh::writeVoronoiCells(source, points, choice.LargestDimension,
-          vtkPolyData::GetData(ports, Ports::VORONOI_CELLS));
-      }
-    },
-    [&]()
-    {
-      if (choice.Edges)
-      {
-        remesh::writeEdges(source, edges, points, vtkPolyData::GetData(ports, Ports::EDGES));
-      }
-    },
-    [&]()
-    {
-      remesh::writeSites(source, vtkPolyData::GetData(ports, Ports::SITES));
-      remesh::writeConvergence(source, vtkTable::GetData(ports, Ports::CONVERGENCE));
-    },
-  };
-  control.enterPhase("Output", 0.0, 1.0);
-  double done = 0.0;
-  for (const std::function<void()>& step : steps)
+
+  remesh::Status Write(remesh::RunControl control, std::vector<std::string>& warnings)
   {
-    step();
-    control.report(++done / std::size(steps));
-    if (control.cancelled())
+    // The executive passed the input's field data: what it tells of an earlier run is not true.
+    for (int port = 0; port < this->Outputs->GetNumberOfInformationObjects(); ++port)
     {
-      return remesh::Status::cancelled();
+      remesh::removeReserved(
+        remesh::meshFactNames, vtkDataObject::GetData(this->Outputs, port)->GetFieldData());
+    }
+    const std::function<void()> steps[] = {
+      [&]() { remesh::writeSurface(this->Source, this->PolyData(Ports::SURFACE), warnings); },
+      [&]() { this->NumberPoints(); },
+      [&]() { this->WriteCells(); },
+      [&]() { this->WriteEdges(); },
+      [&]() { this->WriteSites(); },
+    };
+    control.enterPhase("Output", 0.0, 1.0);
+    double done = 0.0;
+    for (const std::function<void()>& step : steps)
+    {
+      step();
+      control.report(++done / std::size(steps));
+      if (control.cancelled())
+      {
+        return remesh::Status::cancelled();
+      }
+    }
+    return remesh::Status::success();
+  }
+
+private:
+  vtkPolyData* PolyData(int port) const { return vtkPolyData::GetData(this->Outputs, port); }
+
+  /** The points of the diagram, for cells and edges. */
+  void NumberPoints()
+  {
+    if (!this->Filter->GetGenerateVoronoiCells() && !this->Filter->GetGenerateEdges())
+    {
+      return;
+    }
+    const remesh::PreparedSurface& prepared = this->Source.prepared;
+    this->Edges =
+      remesh::buildCutEdgeTable(prepared.mesh, prepared.featuresOrNone(), this->Source.control);
+    // When one of these is cancelled, so is the run, which is asked about after each step.
+    if (!this->Source.control.cancelled())
+    {
+      static_cast<void>(remesh::numberDiagramPoints(prepared.mesh, this->Edges,
+        { this->Source.surface(), this->Source.result.sites, this->Source.result.diagram },
+        this->Source.control, this->Points));
     }
   }
-  return remesh::Status::success();
-}
+
+  void WriteCells() const
+  {
+    if (this->Filter->GetGenerateVoronoiCells())
+    {
+      remesh::writeVoronoiCells(this->Source, this->Points,
+        this->Filter->GetMaximumCellEmbeddingDimension(), this->PolyData(Ports::VORONOI_CELLS));
+    }
+  }
+
+  void WriteEdges() const
+  {
+    if (this->Filter->GetGenerateEdges())
+    {
+      remesh::writeEdges(this->Source, this->Edges, this->Points, this->PolyData(Ports::EDGES));
+    }
+  }
+
+  void WriteSites() const
+  {
+    remesh::writeSites(this->Source, this->PolyData(Ports::SITES));
+    remesh::writeConvergence(this->Source, vtkTable::GetData(this->Outputs, Ports::CONVERGENCE));
+  }
+
+  const remesh::DiagramSource& Source;
+  vtkRestrictedVoronoiAlgorithm* Filter;
+  vtkInformationVector* Outputs;
+  remesh::EdgeTable Edges;
+  remesh::DiagramPoints Points;
+};
 
 /** Wall time by phase, but for that of the outputs. */
 std::map<std::string, double> secondsOf(const remesh::RunOutcome& outcome)
@@ -206,52 +230,67 @@ std::map<std::string, double> secondsOf(const remesh::RunOutcome& outcome)
 }
 }
 
-int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, remesh::RunRequest request)
+/** What the filter's parameters and the input of the sites add to it. */
+void vtkRestrictedVoronoiAlgorithm::CompleteRequest(
+  vtkInformationVector** inputVector, remesh::RunRequest& request)
 {
-  auto& facts = this->Internals->LastRun;
-  const remesh::RunControl control = remesh::makeRunControl(this);
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  const PortChoice choice{ this->GenerateVoronoiCells, this->GenerateEdges,
-    this->MaximumCellEmbeddingDimension };
-  const bool writesDiagram =
-    choice.VoronoiCells || choice.Edges || input->GetCellData()->GetNumberOfArrays() > 0;
+  const bool hasCellArrays =
+    vtkPolyData::GetData(inputVector[0])->GetCellData()->GetNumberOfArrays() > 0;
   request.sites = remesh::givenSites(vtkPointSet::GetData(inputVector[1]));
   request.options.placement = static_cast<remesh::VertexPlacement>(this->VertexPlacement);
-  request.options.keepDiagram = writesDiagram;
+  request.options.keepDiagram = this->GenerateVoronoiCells || this->GenerateEdges || hasCellArrays;
   request.options.ranks = this->GetRanks();
   request.measuresDistance = this->MeasureDistance;
   request.memory = remesh::machineMemory();
   request.preparation.mayLend = true;
   request.preparation.mayRefine = true;
   // Only the cells show the coordinates.
-  request.preparation.mostKeptDimensions = choice.VoronoiCells ? choice.LargestDimension : 0;
-  remesh::RunOutcome outcome;
-  remesh::PreparedSurface& prepared = outcome.prepared;
-  const remesh::DiagramSource source{ input, prepared, outcome.result, outcome.given.places,
-    static_cast<int>(request.options.seed), control.silent(), remesh::blocksOfCells(input) };
+  request.preparation.mostKeptDimensions =
+    this->GenerateVoronoiCells ? this->MaximumCellEmbeddingDimension : 0;
+}
 
+void vtkRestrictedVoronoiAlgorithm::KeepFacts(
+  const remesh::DiagramSource& source, const remesh::RunOutcome& outcome)
+{
+  auto& facts = this->Internals->LastRun;
+  facts.Dimension = source.dimension();
+  facts.Iterations = outcome.result.convergence.rows.back().iteration;
+  facts.Evaluations = outcome.result.evaluations;
+  facts.TopologyReport = outcome.result.topology.describe();
+  facts.Energy = outcome.result.sums.totalEnergy * source.energyUnit() * source.densityUnit();
+}
+
+int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, remesh::RunRequest request)
+{
+  auto& facts = this->Internals->LastRun;
+  const remesh::RunControl control = remesh::makeRunControl(this);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  this->CompleteRequest(inputVector, request);
+  remesh::RunOutcome outcome;
+  const remesh::DiagramSource source{ input, outcome.prepared, outcome.result, outcome.given.places,
+    static_cast<int>(request.options.seed), control.silent(), remesh::blocksOfCells(input) };
   const auto ended = vtkInternals::Execute(this, outputVector,
     [&]() -> remesh::Status
     {
       remesh::Status status = vtkInternals::MakeRequest(this, inputVector, request.preparation);
-      if (!status.ok())
+      if (status.ok())
       {
-        return status;
+        status = remesh::makeMesh(request, control.part(0.0, 0.95), outcome);
+        facts.Intake = outcome.prepared.intake;
+        facts.Seconds = secondsOf(outcome);
       }
-      status = remesh::makeMesh(request, control.part(0.0, 0.95), outcome);
-      facts.Intake = prepared.intake;
-      facts.Seconds = secondsOf(outcome);
       if (!status.ok())
       {
         return status;
       }
       remesh::Stopwatch watch;
-      if (!writesDiagram)
+      if (!request.options.keepDiagram)
       {
         outcome.result.diagram = {}; // room for the ports
       }
-      status = writePorts(source, choice, control.part(0.95, 1.0), outputVector, prepared.warnings);
+      status = PortWriter(source, this, outputVector)
+                 .Write(control.part(0.95, 1.0), outcome.prepared.warnings);
       facts.Seconds["diagram"] += watch.lap();
       return status;
     });
@@ -260,20 +299,9 @@ int vtkRestrictedVoronoiAlgorithm::ComputeDiagram(vtkInformationVector** inputVe
     return ended == vtkInternals::Outcome::Nothing;
   }
   std::vector<std::string> warnings = remesh::warningsOf(request, outcome);
-  if (std::string distribution = remesh::describeDistribution(inputVector[0]);
-      !distribution.empty())
-  {
-    warnings.push_back(std::move(distribution));
-  }
-  for (const std::string& warning : warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
-  facts.Dimension = prepared.surface.dimension;
-  facts.Iterations = outcome.result.convergence.rows.back().iteration;
-  facts.Evaluations = outcome.result.evaluations;
-  facts.TopologyReport = outcome.result.topology.describe();
-  facts.Energy = outcome.result.sums.totalEnergy * source.energyUnit() * source.densityUnit();
+  warnings.push_back(remesh::describeDistribution(inputVector[0]));
+  remesh::showWarnings(this, warnings);
+  this->KeepFacts(source, outcome);
   return 1;
 }
 

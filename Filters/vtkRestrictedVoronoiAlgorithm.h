@@ -82,6 +82,8 @@ class vtkTable;
 
 namespace remesh
 {
+struct DiagramSource;
+struct RunOutcome;
 struct RunRequest;
 }
 
@@ -243,6 +245,9 @@ protected:
 private:
   vtkRestrictedVoronoiAlgorithm(const vtkRestrictedVoronoiAlgorithm&) = delete;
   void operator=(const vtkRestrictedVoronoiAlgorithm&) = delete;
+
+  void CompleteRequest(vtkInformationVector** inputVector, remesh::RunRequest& request);
+  void KeepFacts(const remesh::DiagramSource& source, const remesh::RunOutcome& outcome);
 
   int VertexPlacement = FIT;
   bool GenerateVoronoiCells = true;

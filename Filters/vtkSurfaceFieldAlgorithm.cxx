@@ -45,27 +45,17 @@ int vtkSurfaceFieldAlgorithm::RequestWhole(
   {
     remesh::emptyPorts(outputVector);
   }
-  const bool isDropped =
-    status.code == remesh::StatusCode::EmptyInput && surface.intake.dropped() > 0;
-  if (isDropped)
+  if (status.code == remesh::StatusCode::EmptyInput && surface.intake.dropped() > 0)
   {
     surface.warnings.push_back(status.message);
   }
-  if (const std::string spread = remesh::describeDistribution(inputVector[0]); !spread.empty())
+  surface.warnings.push_back(remesh::describeDistribution(inputVector[0]));
+  const int done = remesh::reportEnd(this, status);
+  if (done)
   {
-    surface.warnings.push_back(spread);
+    remesh::showWarnings(this, surface.warnings);
   }
-  if (status.ok() || status.code == remesh::StatusCode::EmptyInput ||
-    status.code == remesh::StatusCode::Cancelled)
-  {
-    for (const std::string& warning : surface.warnings)
-    {
-      vtkWarningMacro(<< warning);
-    }
-    return 1; // the last two leave empty outputs
-  }
-  vtkErrorMacro(<< status.message);
-  return 0;
+  return done;
 }
 
 void vtkSurfaceFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -20,17 +20,18 @@ namespace
 /** Places of the bound's search for each sample. */
 constexpr vtkIdType partsPerSample = 5;
 
-struct Surfaces
+struct Compared
 {
   remesh::ComparedSurface mesh;
   remesh::ComparedSurface reference;
   bool referenceIsEmpty = false;
+  remesh::Comparison comparison;
 };
 
 remesh::Status readAndCompare(vtkPolyData* mesh, vtkPolyData* reference,
-  const remesh::DistanceOptions& options, const remesh::RunControl& control, Surfaces& surfaces,
-  remesh::Comparison& comparison)
+  const remesh::DistanceOptions& options, const remesh::RunControl& control, Compared& surfaces)
 {
+  remesh::Comparison& comparison = surfaces.comparison;
   remesh::Status status = remesh::readComparedSurface(mesh, "mesh", surfaces.mesh);
   if (!status.ok() || !reference)
   {
@@ -49,10 +50,11 @@ remesh::Status readAndCompare(vtkPolyData* mesh, vtkPolyData* reference,
     options, control, comparison);
 }
 
-void writeOutputs(vtkPolyData* mesh, vtkPolyData* reference, const Surfaces& surfaces,
-  const remesh::Comparison& comparison, int bins, vtkInformationVector* outputs)
+void writeOutputs(vtkPolyData* mesh, vtkPolyData* reference, const Compared& surfaces, int bins,
+  vtkInformationVector* outputs)
 {
   using Filter = vtkSurfaceMeshComparison;
+  const remesh::Comparison& comparison = surfaces.comparison;
   remesh::writeComparedMesh(
     mesh, surfaces.mesh, comparison, vtkPolyData::GetData(outputs, Filter::MESH));
   if (comparison.hasReference)
@@ -64,6 +66,33 @@ void writeOutputs(vtkPolyData* mesh, vtkPolyData* reference, const Surfaces& sur
     surfaces.mesh, comparison, vtkTable::GetData(outputs, Filter::SUMMARY));
   remesh::writeComparisonHistograms(
     comparison, bins, vtkTable::GetData(outputs, Filter::HISTOGRAMS));
+}
+
+/** In the filter's threads and back-end. */
+remesh::Status execute(vtkSurfaceMeshComparison* filter, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, Compared& surfaces)
+{
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+  remesh::DistanceOptions options;
+  options.numberOfSamples = filter->GetNumberOfSamples();
+  options.boundTolerance = filter->GetBoundMaximumDistance() ? 0.01 : -1.0;
+  options.negligible = 1e-6;
+  options.maximumParts = partsPerSample * filter->GetNumberOfSamples();
+  remesh::Execution execution;
+  return remesh::runFilter(
+    filter, filter->GetSMPBackend(), filter->GetNumberOfThreads(),
+    [&]()
+    {
+      remesh::Status compared =
+        readAndCompare(mesh, reference, options, remesh::makeRunControl(filter), surfaces);
+      if (compared.ok())
+      {
+        writeOutputs(mesh, reference, surfaces, filter->GetNumberOfBins(), outputs);
+      }
+      return compared;
+    },
+    execution);
 }
 }
 
@@ -140,32 +169,10 @@ int vtkSurfaceMeshComparison::RequestWhole(
   if (!check.status().ok())
   {
     remesh::emptyPorts(outputVector);
-    vtkErrorMacro(<< check.status().message);
-    return 0;
+    return remesh::reportEnd(this, check.status());
   }
-  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
-  remesh::DistanceOptions options;
-  options.numberOfSamples = this->NumberOfSamples;
-  options.boundTolerance = this->BoundMaximumDistance ? 0.01 : -1.0;
-  options.negligible = 1e-6;
-  options.maximumParts = partsPerSample * this->NumberOfSamples;
-  remesh::Execution execution;
-  Surfaces surfaces;
-  remesh::Comparison comparison;
-  const remesh::Status status = remesh::runFilter(
-    this, this->SMPBackend, this->NumberOfThreads,
-    [&]()
-    {
-      remesh::Status compared = readAndCompare(
-        mesh, reference, options, remesh::makeRunControl(this), surfaces, comparison);
-      if (compared.ok())
-      {
-        writeOutputs(mesh, reference, surfaces, comparison, this->NumberOfBins, outputVector);
-      }
-      return compared;
-    },
-    execution);
+  Compared surfaces;
+  const remesh::Status status = execute(this, inputVector, outputVector, surfaces);
   if (!status.ok())
   {
     remesh::emptyPorts(outputVector);
@@ -175,21 +182,12 @@ int vtkSurfaceMeshComparison::RequestWhole(
   {
     distribution = remesh::describeDistribution(inputVector[1]);
   }
-  if (!distribution.empty())
-  {
-    vtkWarningMacro(<< distribution);
-  }
+  remesh::showWarnings(this, { distribution });
   if (surfaces.referenceIsEmpty)
   {
     vtkWarningMacro("The reference surface is empty: the mesh is measured alone.");
   }
-  if (status.ok() || status.code == remesh::StatusCode::EmptyInput ||
-    status.code == remesh::StatusCode::Cancelled)
-  {
-    return 1; // the last two leave empty outputs, without a word
-  }
-  vtkErrorMacro(<< status.message);
-  return 0;
+  return remesh::reportEnd(this, status);
 }
 
 void vtkSurfaceMeshComparison::PrintSelf(ostream& os, vtkIndent indent)

@@ -167,11 +167,19 @@ private:
   vtkNew<vtkInformationVector> Outputs;
 };
 
-/** The surface, or the sites, of one input port as plain data. */
-remesh::Status takeInput(vtkDataObject* input, const std::string& subject, bool takesPoints,
-  std::vector<remesh::SurfaceBlock>& blocks, vtkSmartPointer<vtkDataObject>& whole,
-  remesh::JoinReport& report)
+/** One input port as plain data. */
+struct TakenInput
 {
+  vtkSmartPointer<vtkDataObject> whole;
+  std::vector<remesh::SurfaceBlock> blocks; ///< that it was joined from, if it had any
+  remesh::JoinReport report;
+};
+
+/** The surface, or the sites, of one input port. */
+remesh::Status takeInput(
+  vtkDataObject* input, const std::string& subject, bool takesPoints, TakenInput& taken)
+{
+  auto& [whole, blocks, report] = taken;
   whole = input;
   const bool isPlain = takesPoints ? vtkPointSet::SafeDownCast(input) != nullptr
                                    : vtkPolyData::SafeDownCast(input) != nullptr;
@@ -231,16 +239,17 @@ struct vtkWholeSurfaceAlgorithm::vtkWhole
     this->Data.blocks.resize(ports);
     for (std::size_t port = 0; port < ports; ++port)
     {
-      remesh::JoinReport report;
+      TakenInput taken;
       remesh::Status status = takeInput(vtkDataObject::GetData(this->InputVector[port]),
         port == 0 ? "The input" : "The input at port " + std::to_string(port),
-        this->Self->TakesPoints(static_cast<int>(port)), this->Data.blocks[port],
-        this->Data.inputs[port], report);
+        this->Self->TakesPoints(static_cast<int>(port)), taken);
+      this->Data.inputs[port] = taken.whole;
+      this->Data.blocks[port] = std::move(taken.blocks);
       if (!status.ok())
       {
         return status;
       }
-      this->Warn(report);
+      this->Warn(taken.report);
       if (this->NeedsOrder(port))
       {
         auto* surface = vtkPolyData::SafeDownCast(this->Data.inputs[port]);

@@ -95,6 +95,25 @@ bool CarriedArray::is(int attribute) const
   return contains(this->attributes, attribute);
 }
 
+namespace
+{
+/** Adds them, active as they were where nothing else is. */
+void addTargets(const std::vector<CarriedArray>& arrays, vtkDataSetAttributes* output)
+{
+  for (const CarriedArray& array : arrays)
+  {
+    const int index = output->AddArray(array.target);
+    for (const int attribute : array.attributes)
+    {
+      if (!output->GetAbstractAttribute(attribute))
+      {
+        output->SetActiveAttribute(index, attribute);
+      }
+    }
+  }
+}
+}
+
 std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset inputTuples,
   const OwnArrays& own, Offset tuples, vtkDataSetAttributes* output, LostArrays& lost)
 {
@@ -127,17 +146,7 @@ std::vector<CarriedArray> makeCarriedArrays(vtkDataSetAttributes* input, Offset 
       carried.push_back({ array, makeLike(array, tuples), std::move(attributes) });
     }
   }
-  for (const CarriedArray& array : carried)
-  {
-    const int index = output->AddArray(array.target);
-    for (const int attribute : array.attributes)
-    {
-      if (!output->GetAbstractAttribute(attribute))
-      {
-        output->SetActiveAttribute(index, attribute);
-      }
-    }
-  }
+  addTargets(carried, output);
   return carried;
 }
 

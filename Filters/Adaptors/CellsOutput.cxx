@@ -123,6 +123,25 @@ vtkSmartPointer<vtkCellArray> makePolygons(
   return polygons;
 }
 
+/** Of the whole cell of each polygon's site. */
+template <class SiteOf>
+void addCellSums(const DiagramSource& source, const Columns& columns, const SiteOf& site)
+{
+  const CellSums& sums = source.result.sums;
+  columns.add<vtkDoubleArray>(
+    "CellArea", [&](Offset polygon) { return source.result.cellAreas[site(polygon)]; });
+  columns.add<vtkDoubleArray>("CellMass",
+    [&](Offset polygon) { return source.siteMass()[site(polygon)] * source.massUnit(); });
+  columns.add<vtkDoubleArray>("CellEnergy",
+    [&](Offset polygon) { return source.siteEnergy()[site(polygon)] * source.energyUnit(); });
+  if (source.hasDensity())
+  {
+    columns.add<vtkDoubleArray>("CellWeightedMass",
+      [&](Offset polygon)
+      { return sums.mass[site(polygon)] * source.massUnit() * source.densityUnit(); });
+  }
+}
+
 void addPieceArrays(const DiagramSource& source, const DrawnPieces& drawn, vtkCellData* data)
 {
   const Diagram& diagram = source.result.diagram;
@@ -152,19 +171,7 @@ void addPieceArrays(const DiagramSource& source, const DrawnPieces& drawn, vtkCe
   columns.add<vtkIntArray>(
     "CellColor", [&](Offset polygon) { return source.result.cellColors[site(polygon)]; });
   data->SetActiveScalars("CellColor"); // what viewers then colour by
-  const CellSums& sums = source.result.sums;
-  columns.add<vtkDoubleArray>(
-    "CellArea", [&](Offset polygon) { return source.result.cellAreas[site(polygon)]; });
-  columns.add<vtkDoubleArray>("CellMass",
-    [&](Offset polygon) { return source.siteMass()[site(polygon)] * source.massUnit(); });
-  columns.add<vtkDoubleArray>("CellEnergy",
-    [&](Offset polygon) { return source.siteEnergy()[site(polygon)] * source.energyUnit(); });
-  if (source.hasDensity())
-  {
-    columns.add<vtkDoubleArray>("CellWeightedMass",
-      [&](Offset polygon)
-      { return sums.mass[site(polygon)] * source.massUnit() * source.densityUnit(); });
-  }
+  addCellSums(source, columns, site);
 }
 
 enum EdgeType
@@ -292,56 +299,77 @@ void writeVoronoiCells(const DiagramSource& source, const DiagramPoints& points,
   }
 }
 
-void writeEdges(const DiagramSource& source, const EdgeTable& edges, const DiagramPoints& points,
-  vtkPolyData* output)
+namespace
 {
-  const Diagram& diagram = source.result.diagram;
-  vtkIdType* ends = nullptr;
+/** What is written of each line, in any order. */
+struct LineArrays
+{
+  const DiagramSource& source;
+  vtkNew<vtkIdTypeArray> connectivity;
   vtkIdType* types = nullptr;
   vtkIdType* sites = nullptr;
   int* blocks = nullptr;
-  vtkNew<vtkIdTypeArray> connectivity;
-  vtkNew<vtkIdTypeArray> offsets;
+
+  void allocate(Offset count, vtkCellData* data)
+  {
+    const Columns columns{ data, count, this->source.control };
+    this->types = columns.addEmpty<vtkIdTypeArray>("EdgeType", 1)->GetPointer(0);
+    this->sites = columns.addEmpty<vtkIdTypeArray>("SiteId", 2)->GetPointer(0);
+    data->SetActiveScalars("EdgeType"); // what viewers then colour by
+    if (this->source.cellBlocks)
+    {
+      this->blocks = columns.addEmpty<vtkIntArray>(blockName, 1)->GetPointer(0);
+    }
+    this->connectivity->SetNumberOfValues(2 * count);
+  }
+
+  /** @param across site or edge beyond the line, which is drawn for this piece. */
+  void write(Offset line, Offset piece, Index across, EdgeType type)
+  {
+    const Diagram& diagram = this->source.result.diagram;
+    this->types[line] = type;
+    this->sites[2 * line] = diagram.sites[piece];
+    this->sites[2 * line + 1] = across < 0 ? -1 : across;
+    if (this->blocks)
+    {
+      this->blocks[line] = this->source.blockOfFacet(diagram.facets[piece]);
+    }
+  }
+};
+}
+
+void writeEdges(const DiagramSource& source, const EdgeTable& edges, const DiagramPoints& points,
+  vtkPolyData* output)
+{
+  LineArrays arrays{ source, {} };
+  vtkIdType* ends = nullptr;
   forEachLine(
     source, edges,
     [&](Offset count)
     {
-      const Columns columns{ output->GetCellData(), count, source.control };
-      types = columns.addEmpty<vtkIdTypeArray>("EdgeType", 1)->GetPointer(0);
-      sites = columns.addEmpty<vtkIdTypeArray>("SiteId", 2)->GetPointer(0);
-      output->GetCellData()->SetActiveScalars("EdgeType"); // what viewers then colour by
-      if (source.cellBlocks)
-      {
-        blocks = columns.addEmpty<vtkIntArray>(blockName, 1)->GetPointer(0);
-      }
-      connectivity->SetNumberOfValues(2 * count);
-      ends = connectivity->GetPointer(0);
-      offsets->SetNumberOfValues(count + 1);
+      arrays.allocate(count, output->GetCellData());
+      ends = arrays.connectivity->GetPointer(0);
     },
     [&](Offset line, Offset piece, Offset v, Offset next, EdgeType type)
     {
-      const Index across = diagram.across[v];
       ends[2 * line] = points.ofVertex[v];
       ends[2 * line + 1] = points.ofVertex[next];
-      types[line] = type;
-      sites[2 * line] = diagram.sites[piece];
-      sites[2 * line + 1] = across < 0 ? -1 : across;
-      if (blocks)
-      {
-        blocks[line] = source.blockOfFacet(diagram.facets[piece]);
-      }
+      arrays.write(line, piece, source.result.diagram.across[v], type);
     });
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(arrays.connectivity->GetNumberOfValues() / 2 + 1);
   for (vtkIdType line = 0; line < offsets->GetNumberOfValues(); ++line)
   {
     offsets->SetValue(line, 2 * line);
   }
-  const std::vector<Offset> used = renumber(connectivity, points.points.size(), source.control);
+  const std::vector<Offset> used =
+    renumber(arrays.connectivity, points.points.size(), source.control);
   output->SetPoints(makePoints(
     static_cast<Offset>(used.size()),
     [&](Offset k) { return placeOf(source.prepared.mesh, points.points[used[k]]); },
     source.control));
   vtkNew<vtkCellArray> lines;
-  lines->SetData(offsets, connectivity);
+  lines->SetData(offsets, arrays.connectivity);
   output->SetLines(lines);
 }
 }

@@ -178,12 +178,12 @@ void addNormalColumns(const ComparedSurface& mesh, const Comparison& comparison,
   row.number("MaximumNormalDeviation", largest);
 }
 
-/** Two columns: the middles of `bins` equal bins from 0 to `end`, and the triangles in each. */
+/** Two columns: the middles of equal bins from 0 to `end`, and the triangles in each. */
 template <class Value>
 void addHistogram(
-  const char* name, double end, int bins, Offset count, const Value& value, vtkTable* table)
+  const Columns& columns, const char* name, double end, Offset count, const Value& value)
 {
-  const Columns columns{ table->GetRowData(), bins, {} };
+  const auto bins = static_cast<int>(columns.tuples);
   columns.add<vtkDoubleArray>(
     name, [&](Offset bin) { return (static_cast<double>(bin) + 0.5) * end / bins; });
   const auto counts =
@@ -261,15 +261,14 @@ void writeComparisonHistograms(const Comparison& comparison, int bins, vtkTable*
 {
   const std::vector<TriangleQuality>& qualities = comparison.qualities;
   const auto count = static_cast<Offset>(qualities.size());
+  const Columns columns{ output->GetRowData(), bins, {} };
+  addHistogram(columns, "Quality", 1.0, count, [&](Offset t) { return qualities[t].quality(); });
   addHistogram(
-    "Quality", 1.0, bins, count, [&](Offset t) { return qualities[t].quality(); }, output);
-  addHistogram(
-    "MinimumAngle", 60.0, bins, count, [&](Offset t) { return qualities[t].minimumAngle; }, output);
+    columns, "MinimumAngle", 60.0, count, [&](Offset t) { return qualities[t].minimumAngle; });
   if (comparison.hasReference)
   {
-    addHistogram(
-      "NormalDeviation", 180.0, bins, count,
-      [&](Offset t) { return comparison.normalDeviations[t]; }, output);
+    addHistogram(columns, "NormalDeviation", 180.0, count,
+      [&](Offset t) { return comparison.normalDeviations[t]; });
   }
 }
 }

@@ -85,6 +85,27 @@ Status runFilter(vtkObject* filter, int backend, int threads, const std::functio
   return status;
 }
 
+void showWarnings(vtkObject* filter, const std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : warnings)
+  {
+    if (!warning.empty())
+    {
+      vtkWarningWithObjectMacro(filter, << warning);
+    }
+  }
+}
+
+int reportEnd(vtkObject* filter, const Status& status)
+{
+  if (status.ok() || status.code == StatusCode::EmptyInput || status.code == StatusCode::Cancelled)
+  {
+    return 1; // a failure would make the executive report an error
+  }
+  vtkErrorWithObjectMacro(filter, << status.message);
+  return 0;
+}
+
 double machineMemory()
 {
   vtksys::SystemInformation system;

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 class vtkObject;
 
@@ -40,6 +41,16 @@ void runInScope(Execution& execution, const std::function<void()>& work);
  */
 Status runFilter(vtkObject* filter, int backend, int threads, const std::function<Status()>& work,
   Execution& execution);
+
+/** Shows warnings in a filter's name; empty ones are none. */
+void showWarnings(vtkObject* filter, const std::vector<std::string>& warnings);
+
+/**
+ * Reports an error in a filter's name; not where there was nothing to do, nor of an aborted run.
+ *
+ * @return what RequestData is to return: 0 after an error, else 1.
+ */
+int reportEnd(vtkObject* filter, const Status& status);
 
 /** Bytes; 0: not known. */
 double machineMemory();
