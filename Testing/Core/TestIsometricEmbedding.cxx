@@ -1,12 +1,16 @@
-// Metric/: shapes of facets, the Laplacian's identities, embeddings whose lengths are known, parts
-// and odd surfaces, the same bytes on any threads, errors.
+// Metric/: shapes of facets, the Laplacian's identities, coarse surfaces, embeddings whose lengths
+// are known, parts and odd surfaces, the same bytes on any threads, errors.
 
+#include "Mesh/EdgeTable.h"
 #include "Metric/IsometricEmbedding.h"
+#include "Metric/LaplacianMatrix.h"
+#include "Metric/MetricCoarsening.h"
 #include "Support/Random.h"
 #include "TestCancels.h"
 #include "TestSupport.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -43,6 +47,11 @@ Eigen::Matrix3d diagonal(double x, double y, double z)
   return Point3(x, y, z).asDiagonal();
 }
 
+ShapedFacets surfaceOf(const SurfaceMesh& mesh, const std::vector<TargetShape>& shapes)
+{
+  return { mesh.numberOfPoints(), mesh.facetPoints, shapes };
+}
+
 IsometricEmbedding embed(const SurfaceMesh& mesh, const Tensor& tensor,
   const RunControl& control = RunControl(), int dimension = 6)
 {
@@ -51,7 +60,7 @@ IsometricEmbedding embed(const SurfaceMesh& mesh, const Tensor& tensor,
   IsometricEmbedding embedding;
   IsometryOptions options;
   options.dimension = dimension;
-  CHECK(embedIsometrically(mesh, shapes, options, control, embedding).ok());
+  CHECK(embedIsometrically(surfaceOf(mesh, shapes), options, control, embedding).ok());
   CHECK_EQUAL(embedding.places.rows(), mesh.numberOfPoints());
   CHECK_EQUAL(embedding.places.cols(), dimension);
   CHECK(embedding.places.allFinite());
@@ -120,7 +129,7 @@ void testLaplacian()
     fieldOf(mesh, [](const Point3& p) { return diagonal(1.0 + p[0] * p[0], 2.0, 3.0); }),
     RunControl(), shapes)
           .ok());
-  MetricLaplacian laplacian(mesh, shapes, RunControl());
+  MetricLaplacian laplacian(surfaceOf(mesh, shapes), RunControl());
   Rows fields(2 * mesh.numberOfFacets(), 3);
   Rows functions(mesh.numberOfPoints(), 3);
   std::uint64_t next = 0;
@@ -213,6 +222,163 @@ void testThreads()
   }
 }
 
+double areaOf(const std::vector<TargetShape>& shapes)
+{
+  double area = 0.0;
+  for (const TargetShape& shape : shapes)
+  {
+    area += shape.area();
+  }
+  return area;
+}
+
+Offset eulerOf(Index points, const std::vector<Triple>& facetPoints)
+{
+  const EdgeTable edges = buildEdgeTable(facetPoints);
+  return Offset(points) - edges.numberOfEdges() + static_cast<Offset>(facetPoints.size());
+}
+
+/** Fewer points, the same topology and area; functions that are linear in the plane stay so. */
+void testCoarsening()
+{
+  const auto even = [](const Point3&) { return diagonal(1.0, 1.0, 1.0); };
+  TriangleSoup two = test::threeSheets();
+  test::append(two, test::moebiusStrip(40), Point3(9.0, 0.0, 0.0));
+  struct Kind
+  {
+    TriangleSoup soup;
+    double longest;
+    double mostPoints; // share of them that is left
+  };
+  const Kind kinds[] = { { test::gridPatch(40, 30), 0.15, 0.25 },
+    { test::torus(1.0, 0.4, 90, 40), 0.3, 0.4 }, { two, 0.2, 1.0 } };
+  for (const auto& [soup, longest, mostPoints] : kinds)
+  {
+    const SurfaceMesh mesh = test::meshOf(soup);
+    std::vector<TargetShape> shapes;
+    CHECK(findTargetShapes(mesh, fieldOf(mesh, even), RunControl(), shapes).ok());
+    CoarseSurface coarse;
+    CHECK(coarsen(surfaceOf(mesh, shapes), longest, RunControl(), coarse));
+    const auto count = static_cast<Index>(coarse.points.size());
+    CHECK(count <= mostPoints * mesh.numberOfPoints());
+    CHECK_EQUAL(coarse.points.size() + coarse.removed.size(), mesh.points.size());
+    CHECK_EQUAL(
+      eulerOf(count, coarse.facetPoints), eulerOf(mesh.numberOfPoints(), mesh.facetPoints));
+    CHECK_NEAR(areaOf(coarse.shapes) / areaOf(shapes), 1.0, 0.02);
+    for (const TargetShape& shape : coarse.shapes)
+    {
+      for (int k = 0; k < 3 && mostPoints < 1.0; ++k)
+      {
+        CHECK(shape.edge2(k) < 1.02 * longest * longest); // layouts differ a little
+      }
+    }
+  }
+  const SurfaceMesh square = test::meshOf(test::gridPatch(40, 30));
+  std::vector<TargetShape> shapes;
+  CHECK(findTargetShapes(square, fieldOf(square, even), RunControl(), shapes).ok());
+  CoarseSurface coarse;
+  CHECK(coarsen(surfaceOf(square, shapes), 0.2, RunControl(), coarse));
+  Rows kept(static_cast<Offset>(coarse.points.size()), 3);
+  for (std::size_t p = 0; p < coarse.points.size(); ++p)
+  {
+    kept.row(static_cast<Offset>(p)) = square.points[coarse.points[p]];
+  }
+  const Rows all = coarse.prolonged(kept);
+  for (Index p = 0; p < square.numberOfPoints(); ++p)
+  {
+    CHECK_NEAR((all.row(p).transpose() - square.points[p]).norm(), 0.0, 1e-5);
+  }
+}
+
+/** Conjugate gradients come to the factor's solution; a wave becomes lower by what is told. */
+void testMatrix()
+{
+  const SurfaceMesh mesh = test::meshOf(test::gridPatch(40, 40));
+  std::vector<TargetShape> shapes;
+  CHECK(findTargetShapes(mesh, fieldOf(mesh, [](const Point3&) { return diagonal(1.0, 1.0, 1.0); }),
+    RunControl(), shapes)
+          .ok());
+  MetricLaplacian laplacian(surfaceOf(mesh, shapes), RunControl());
+  LaplacianMatrix matrix(laplacian, RunControl());
+  double low = std::numeric_limits<double>::max();
+  double high = -low;
+  for (const Point3& point : mesh.points)
+  {
+    low = std::min(low, point[0]);
+    high = std::max(high, point[0]);
+  }
+  const double number = 3.0 * 3.14159265358979323846 / (high - low);
+  for (const int dimension : { 6, 2 })
+  {
+    Rows waves(mesh.numberOfPoints(), dimension); // no slope at the border
+    for (Index p = 0; p < mesh.numberOfPoints(); ++p)
+    {
+      waves.row(p).setConstant(std::cos(number * (mesh.points[p][0] - low)));
+    }
+    Rows smooth = waves;
+    constexpr double time = 0.01;
+    CHECK(matrix.smooth(time, RunControl(), smooth));
+    const Rows expected = waves / (1.0 + time * number * number);
+    CHECK_NEAR((smooth - expected).cwiseAbs().maxCoeff(), 0.0, 0.01);
+
+    Rows right = laplacian.masses().empty()
+      ? Rows()
+      : Rows(Eigen::Map<const Eigen::VectorXd>(laplacian.masses().data(), mesh.numberOfPoints())
+               .asDiagonal() *
+          waves);
+    right.rowwise() -= right.colwise().mean();
+    Rows exact;
+    Rows near;
+    CHECK(laplacian.factor(RunControl()).ok());
+    CHECK(laplacian.solve(right, RunControl(), exact));
+    CHECK(matrix.approach(right, 400, RunControl(), near));
+    const Rows rest = near - exact; // the same but for a constant
+    CHECK_NEAR((rest.rowwise() - rest.row(0)).cwiseAbs().maxCoeff(), 0.0, 1e-4);
+  }
+}
+
+/** By way of a coarse surface: the lengths of the metric, the same bytes, and an end when told. */
+void testCoarseStart()
+{
+  const SurfaceMesh mesh = test::meshOf(test::torus(1.0, 0.4, 200, 100));
+  std::vector<TargetShape> shapes;
+  CHECK(findTargetShapes(mesh,
+    fieldOf(mesh, [](const Point3& p) { return diagonal(4.0 + 3.0 * p[0], 4.0, 6.0); }),
+    RunControl(), shapes)
+          .ok());
+  IsometryOptions options;
+  options.unit = 0.4;
+  IsometricEmbedding first;
+  CHECK(embedIsometrically(surfaceOf(mesh, shapes), options, RunControl(), first).ok());
+  CHECK(first.energies.back() < 2e-3);
+  CHECK(std::is_sorted(first.energies.rbegin(), first.energies.rend()));
+  std::size_t met = 0;
+  for (const auto& [least, most] : first.stretches)
+  {
+    met += least > 0.85 && most < 1.15;
+  }
+  CHECK(met > 0.98 * shapes.size());
+  RunControl threads;
+  threads.schedule = Schedule::EightThreads;
+  IsometricEmbedding second;
+  CHECK(embedIsometrically(surfaceOf(mesh, shapes), options, threads, second).ok());
+  CHECK(first.places == second.places);
+
+  std::atomic<int> asked(0);
+  const auto run = [&](int most)
+  {
+    asked = 0;
+    const RunControl control(nullptr, [&]() { return ++asked >= most; });
+    return embedIsometrically(surfaceOf(mesh, shapes), options, control, second).code;
+  };
+  CHECK(run(std::numeric_limits<int>::max()) == StatusCode::Ok);
+  const int all = asked;
+  for (int most = 1; most < all; most += 1 + most / 2)
+  {
+    CHECK(run(most) == StatusCode::Cancelled);
+  }
+}
+
 void testFailures()
 {
   const SurfaceMesh mesh = test::meshOf(test::gridPatch(4, 4));
@@ -229,7 +395,7 @@ void testFailures()
     [&](const RunControl& control)
     {
       IsometricEmbedding embedding;
-      return embedIsometrically(mesh, shapes, {}, control, embedding);
+      return embedIsometrically(surfaceOf(mesh, shapes), {}, control, embedding);
     });
 }
 }
@@ -241,6 +407,9 @@ int TestIsometricEmbedding(int, char*[])
   testKnown();
   testKinds();
   testThreads();
+  testCoarsening();
+  testMatrix();
+  testCoarseStart();
   testFailures();
   return test::result();
 }

@@ -1,5 +1,8 @@
 #include "Metric/IsometricEmbedding.h"
 
+#include "Metric/IsometrySteps.h"
+#include "Metric/LaplacianMatrix.h"
+#include "Metric/MetricCoarsening.h"
 #include "Metric/SpectralStart.h"
 #include "Support/Parallel.h"
 
@@ -10,133 +13,36 @@ namespace remesh
 {
 namespace
 {
-constexpr std::size_t look = 10; // steps over which the decrease counts
+// In units:
+constexpr double longestSide = 0.8;      // of the coarse surface
+constexpr double coarseSmoothing = 1.0;  // root of the time for which crumples are smoothed
+constexpr double fineSmoothing = 0.2;    // the same, for the coarse surface's own sides
+constexpr double leastUnits2 = 3000.0;   // that the coarse surface has, of its own ones
+constexpr double smoothedUnits2 = 500.0; // the same for the unit of the smoothing
+// Steps:
+constexpr int coarseSteps = 60;
+constexpr int mendingSteps = 60;
+constexpr int fineSteps = 8;
+constexpr int innerSteps = 6;
+/** Of the points: where more are left, the given surface is coarse itself. */
+constexpr double coarseShare = 0.7;
 
-/** J J' of a facet and what follows from it. */
-struct Gram
+/** The unit, or what makes so many units of the area. */
+double unitFor(double unit, double area, double count)
 {
-  double xx, xy, yy;
-
-  explicit Gram(const FacetRows& rows)
-    : xx(rows.row(0).squaredNorm())
-    , xy(rows.row(0).dot(rows.row(1)))
-    , yy(rows.row(1).squaredNorm())
-  {
-  }
-  /** The least and the largest stretch. */
-  std::array<double, 2> stretches() const
-  {
-    const double mean = 0.5 * (xx + yy);
-    const double large = mean + std::hypot(0.5 * (xx - yy), xy);
-    const double small = large > 0.0 ? std::max(0.0, xx * yy - xy * xy) / large : 0.0;
-    return { std::sqrt(small), std::sqrt(large) };
-  }
-};
-
-/** The nearest matrix with orthonormal rows; of a flat one, some matrix near it. */
-FacetRows nearestIsometry(const FacetRows& rows)
-{
-  constexpr double flat = 1e-12; // of the larger stretch: below, the smaller has no direction
-  const Gram gram(rows);
-  const double trace = gram.xx + gram.yy;
-  if (!(trace > 0.0))
-  {
-    FacetRows any = FacetRows::Zero(2, rows.cols());
-    any(0, 0) = any(1, 1) = 1.0;
-    return any;
-  }
-  const double root =
-    std::sqrt(std::max(gram.xx * gram.yy - gram.xy * gram.xy, flat * flat * trace * trace));
-  const double sum = std::sqrt(trace + 2.0 * root); // of both stretches
-  // (C + root I)^-1 sum J
-  const double a = gram.xx + root;
-  const double c = gram.yy + root;
-  const double scale = sum / (a * c - gram.xy * gram.xy);
-  FacetRows nearest(2, rows.cols());
-  nearest.row(0) = scale * (c * rows.row(0) - gram.xy * rows.row(1));
-  nearest.row(1) = scale * (a * rows.row(1) - gram.xy * rows.row(0));
-  return nearest;
+  return std::min(unit, std::sqrt(area / count));
 }
 
-/** Local and global steps. */
-class Steps
+Status cancelledUnless(bool done)
 {
-public:
-  Steps(const MetricLaplacian& laplacian, const RunControl& control)
-    : m_laplacian(laplacian)
-    , m_control(control)
-  {
-  }
-
-  /** Runs from `places`; false when cancelled. */
-  bool run(const IsometryOptions& options, Rows& places, std::vector<double>& energies)
-  {
-    double energy = 0.0;
-    if (!this->findRests(places, energy))
-    {
-      return false;
-    }
-    energies.assign(1, energy);
-    for (int k = 0; k < options.iterations && !this->hasEnded(options, energies); ++k)
-    {
-      m_control.report(static_cast<double>(k) / options.iterations);
-      Rows slope;
-      Rows way;
-      if (!m_laplacian.divergence(m_rests, m_control.silent(), slope) ||
-        !m_laplacian.solve(slope, m_control.silent(), way))
-      {
-        return false;
-      }
-      places += way;
-      if (!this->findRests(places, energy))
-      {
-        return false;
-      }
-      energies.push_back(energy);
-    }
-    return true;
-  }
-
-private:
-  /** Q - J on each facet, and the energy per area. */
-  bool findRests(const Rows& places, double& energy)
-  {
-    m_rests.resize(2 * Offset(m_laplacian.numberOfFacets()), places.cols());
-    const Blocks blocks = Blocks::cut(m_laplacian.numberOfFacets(), 64, 1 << 14);
-    const auto findRest = [&](std::size_t f)
-    {
-      const auto facet = static_cast<Index>(f);
-      const FacetRows rows = m_laplacian.gradient(places, facet);
-      const FacetRows rest = nearestIsometry(rows) - rows;
-      m_rests.middleRows(2 * Offset(facet), 2) = rest;
-      return m_laplacian.area(facet) * rest.squaredNorm();
-    };
-    const bool done = sumInBlocks(blocks, m_control.silent(), findRest, energy);
-    energy /= m_laplacian.totalArea();
-    return done;
-  }
-
-  static bool hasEnded(const IsometryOptions& options, const std::vector<double>& energies)
-  {
-    constexpr double exact = 1e-12; // nothing but rounding
-    const std::size_t count = energies.size();
-    return energies.back() < exact ||
-      (count > look &&
-        energies[count - 1 - look] - energies.back() < options.energyDecrease * energies.back());
-  }
-
-  const MetricLaplacian& m_laplacian;
-  RunControl m_control;
-  Rows m_rests; ///< 2F x d
-};
+  return done ? Status::success() : Status::cancelled();
 }
 
-Status embedIsometrically(const SurfaceMesh& mesh, const std::vector<TargetShape>& shapes,
-  const IsometryOptions& options, RunControl control, IsometricEmbedding& embedding)
+/** From the spectral start, with a factor. */
+Status embedWithFactor(const ShapedFacets& surface, const IsometryOptions& options,
+  RunControl control, IsometricEmbedding& embedding)
 {
-  embedding = IsometricEmbedding{};
-  control.enterPhase("Metric embedding", 0.0, 0.3);
-  MetricLaplacian laplacian(mesh, shapes, control.silent());
+  MetricLaplacian laplacian(surface, control.silent());
   if (control.cancelled())
   {
     return Status::cancelled();
@@ -145,26 +51,100 @@ Status embedIsometrically(const SurfaceMesh& mesh, const std::vector<TargetShape
   {
     return status;
   }
-  control.enterPhase("Metric embedding", 0.3, 0.5);
+  control.enterPhase("Metric embedding", 0.3, 0.4);
   if (!makeSpectralStart(laplacian, options.dimension, options.seed, control, embedding.places))
   {
     return Status::cancelled();
   }
-  control.enterPhase("Metric embedding", 0.5, 1.0);
-  Steps steps(laplacian, control);
-  if (!steps.run(options, embedding.places, embedding.energies))
+  const bool isSmoothed = options.unit > 0.0;
+  control.enterPhase("Metric embedding", 0.4, 0.6);
+  StepOptions steps;
+  steps.iterations = isSmoothed ? std::min(coarseSteps, options.iterations) : options.iterations;
+  steps.energyDecrease = options.energyDecrease;
+  if (!stepToIsometry(laplacian, steps, control, embedding.places, embedding.energies))
   {
     return Status::cancelled();
   }
-  embedding.stretches.resize(shapes.size());
+  if (!isSmoothed)
+  {
+    return Status::success();
+  }
+  control.enterPhase("Metric embedding", 0.6, 0.7);
+  const double width =
+    coarseSmoothing * unitFor(options.unit, laplacian.totalArea(), smoothedUnits2);
+  steps.iterations = mendingSteps;
+  LaplacianMatrix matrix(laplacian, control.silent());
+  return cancelledUnless(!control.cancelled() &&
+    matrix.smooth(width * width, control.silent(), embedding.places) &&
+    stepToIsometry(laplacian, steps, control, embedding.places, embedding.energies));
+}
+
+/** From places on a coarse surface, where what is left are short waves. */
+Status embedFinely(const MetricLaplacian& laplacian, const IsometryOptions& options,
+  RunControl control, IsometricEmbedding& embedding)
+{
+  control.enterPhase("Metric embedding", 0.7, 1.0);
+  LaplacianMatrix matrix(laplacian, control.silent());
+  const double width = fineSmoothing * options.unit;
+  StepOptions steps;
+  steps.iterations = fineSteps;
+  steps.matrix = &matrix;
+  steps.innerIterations = innerSteps;
+  return cancelledUnless(!control.cancelled() &&
+    matrix.smooth(width * width, control.silent(), embedding.places) &&
+    stepToIsometry(laplacian, steps, control, embedding.places, embedding.energies));
+}
+
+Status embedPlaces(const MetricLaplacian& laplacian, const IsometryOptions& options,
+  const RunControl& control, IsometricEmbedding& embedding)
+{
+  const ShapedFacets& surface = laplacian.surface();
+  const double unit = unitFor(options.unit, laplacian.totalArea(), leastUnits2);
+  CoarseSurface coarse;
+  if (unit > 0.0 && !coarsen(surface, longestSide * unit, control.silent(), coarse))
+  {
+    return Status::cancelled();
+  }
+  const auto count = static_cast<Index>(coarse.points.size());
+  if (!(unit > 0.0) || count > coarseShare * surface.points)
+  {
+    return embedWithFactor(surface, options, control, embedding);
+  }
+  Status status =
+    embedWithFactor({ count, coarse.facetPoints, coarse.shapes }, options, control, embedding);
+  if (status.ok())
+  {
+    embedding.places = coarse.prolonged(embedding.places);
+    IsometryOptions fine = options;
+    fine.unit = unit;
+    status = embedFinely(laplacian, fine, control, embedding);
+  }
+  return status;
+}
+}
+
+Status embedIsometrically(const ShapedFacets& surface, const IsometryOptions& options,
+  RunControl control, IsometricEmbedding& embedding)
+{
+  embedding = IsometricEmbedding{};
+  control.enterPhase("Metric embedding", 0.0, 0.3);
+  const MetricLaplacian laplacian(surface, control.silent());
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
+  if (Status status = embedPlaces(laplacian, options, control, embedding); !status.ok())
+  {
+    return status;
+  }
+  embedding.stretches.resize(surface.shapes.size());
   const auto findStretch = [&](Offset f)
   {
     const auto [least, most] =
-      Gram(laplacian.gradient(embedding.places, static_cast<Index>(f))).stretches();
+      stretchesOf(laplacian.gradient(embedding.places, static_cast<Index>(f)));
     embedding.stretches[f] = { static_cast<float>(least), static_cast<float>(most) };
   };
-  return forEachItem(static_cast<Offset>(shapes.size()), control.silent(), findStretch)
-    ? Status::success()
-    : Status::cancelled();
+  return cancelledUnless(
+    forEachItem(static_cast<Offset>(surface.shapes.size()), control.silent(), findStretch));
 }
 }

@@ -17,6 +17,12 @@
 
 namespace remesh
 {
+/** Functions on a surface, d at once: V x d. */
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/** The largest d. */
+constexpr int mostEmbeddingDimensions = 16;
+
 struct MetricField
 {
   std::vector<Eigen::Matrix3d> tensors; ///< V, of R^3
@@ -50,6 +56,14 @@ struct TargetShape
     const double y = k == 0 ? 0.0 : this->c;
     return x * x + y * y;
   }
+};
+
+/** A surface of which nothing is known but how facets are joined, and their shapes. */
+struct ShapedFacets
+{
+  Index points; ///< V
+  const std::vector<Triple>& facetPoints;
+  const std::vector<TargetShape>& shapes; ///< F
 };
 
 /**

@@ -1,5 +1,6 @@
 #include "Metric/MetricLaplacian.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace remesh
@@ -10,13 +11,12 @@ namespace
 constexpr double regularShare = 1e-10;
 }
 
-MetricLaplacian::MetricLaplacian(
-  const SurfaceMesh& mesh, const std::vector<TargetShape>& shapes, const RunControl& control)
-  : m_mesh(mesh)
-  , m_shapes(shapes)
-  , m_weights(shapes.size())
-  , m_masses(mesh.points.size(), 0.0)
+MetricLaplacian::MetricLaplacian(const ShapedFacets& surface, const RunControl& control)
+  : m_surface(surface)
+  , m_weights(surface.shapes.size())
+  , m_masses(static_cast<std::size_t>(surface.points), 0.0)
 {
+  const std::vector<TargetShape>& shapes = surface.shapes;
   const auto findWeights = [&](Offset f)
   {
     const double a = shapes[f].a;
@@ -30,7 +30,7 @@ MetricLaplacian::MetricLaplacian(
     weights[0][0] = -weights[1][0];
     weights[0][1] = -weights[1][1] - weights[2][1];
   };
-  const auto pointOf = [&](Offset corner) { return mesh.facetPoints[corner / 3][corner % 3]; };
+  const auto pointOf = [&](Offset corner) { return surface.facetPoints[corner / 3][corner % 3]; };
   const auto findMass = [&](Offset point)
   {
     for (Offset k = m_corners.begins[point]; k < m_corners.begins[point + 1]; ++k)
@@ -40,8 +40,8 @@ MetricLaplacian::MetricLaplacian(
   };
   static_cast<void>(forEachItem(static_cast<Offset>(shapes.size()), control, findWeights) &&
     groupByKey(
-      3 * static_cast<Offset>(shapes.size()), mesh.numberOfPoints(), control, pointOf, m_corners) &&
-    forEachItem(mesh.numberOfPoints(), control, findMass));
+      3 * static_cast<Offset>(shapes.size()), surface.points, control, pointOf, m_corners) &&
+    forEachItem(surface.points, control, findMass));
   for (const double mass : m_masses)
   {
     m_area += mass;
@@ -50,7 +50,7 @@ MetricLaplacian::MetricLaplacian(
 
 FacetRows MetricLaplacian::gradient(const Rows& functions, Index facet) const
 {
-  const Triple& points = m_mesh.facetPoints[facet];
+  const Triple& points = m_surface.facetPoints[facet];
   const auto& weights = m_weights[facet].ofCorner;
   const auto first = functions.row(points[0]);
   FacetRows rows(2, functions.cols());
@@ -62,19 +62,31 @@ FacetRows MetricLaplacian::gradient(const Rows& functions, Index facet) const
 
 bool MetricLaplacian::divergence(const Rows& fields, const RunControl& control, Rows& sums) const
 {
-  sums.resize(this->numberOfPoints(), fields.cols());
+  return fields.cols() == 6 ? this->divergenceIn<6>(fields, control, sums)
+                            : this->divergenceIn<0>(fields, control, sums);
+}
+
+template <int fixed>
+bool MetricLaplacian::divergenceIn(const Rows& fields, const RunControl& control, Rows& sums) const
+{
+  const auto d = fixed > 0 ? fixed : static_cast<int>(fields.cols());
+  sums.resize(this->numberOfPoints(), d);
   return forEachItem(this->numberOfPoints(), control,
     [&](Offset point)
     {
-      auto sum = sums.row(point);
-      sum.setZero();
+      double* const sum = sums.data() + point * d;
+      std::fill_n(sum, d, 0.0);
       for (Offset i = m_corners.begins[point]; i < m_corners.begins[point + 1]; ++i)
       {
-        const Index facet = m_corners.items[i] / 3;
+        const auto facet = static_cast<Index>(m_corners.items[i] / 3);
         const auto& weights = m_weights[facet].ofCorner[m_corners.items[i] % 3];
-        const double area = this->area(facet);
-        sum += (area * weights[0]) * fields.row(2 * Offset(facet)) +
-          (area * weights[1]) * fields.row(2 * Offset(facet) + 1);
+        const double first = this->area(facet) * weights[0];
+        const double second = this->area(facet) * weights[1];
+        const double* const field = fields.data() + 2 * Offset(facet) * d;
+        for (int k = 0; k < d; ++k)
+        {
+          sum[k] += first * field[k] + second * field[d + k];
+        }
       }
     });
 }
@@ -83,18 +95,16 @@ Status MetricLaplacian::factor(const RunControl& control)
 {
   using Matrix = Eigen::SparseMatrix<double>;
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(6 * m_shapes.size() + m_masses.size());
+  entries.reserve(6 * m_surface.shapes.size() + m_masses.size());
   double trace = 0.0;
   for (Index facet = 0; facet < this->numberOfFacets(); ++facet)
   {
-    const Triple& points = m_mesh.facetPoints[facet];
-    const auto& weights = m_weights[facet].ofCorner;
+    const Triple& points = m_surface.facetPoints[facet];
     for (int k = 0; k < 3; ++k)
     {
       for (int l = 0; l <= k; ++l)
       {
-        const double entry =
-          this->area(facet) * (weights[k][0] * weights[l][0] + weights[k][1] * weights[l][1]);
+        const double entry = this->entry(facet, k, l);
         entries.emplace_back(std::max(points[k], points[l]), std::min(points[k], points[l]), entry);
         trace += k == l ? entry : 0.0;
       }

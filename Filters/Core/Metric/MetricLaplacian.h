@@ -14,11 +14,6 @@
 
 namespace remesh
 {
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/** The largest d. */
-constexpr int mostEmbeddingDimensions = 16;
-
 /** 2 x d, on the stack. */
 using FacetRows =
   Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, mostEmbeddingDimensions>;
@@ -26,19 +21,44 @@ using FacetRows =
 class MetricLaplacian
 {
 public:
-  /** Mesh and shapes must outlive it. Of no use when cancelled. O(F). */
-  MetricLaplacian(
-    const SurfaceMesh& mesh, const std::vector<TargetShape>& shapes, const RunControl& control);
+  /** What the surface refers to must outlive it. Of no use when cancelled. O(F). */
+  MetricLaplacian(const ShapedFacets& surface, const RunControl& control);
 
-  Index numberOfPoints() const { return m_mesh.numberOfPoints(); }
-  Index numberOfFacets() const { return m_mesh.numberOfFacets(); }
-  const SurfaceMesh& mesh() const { return m_mesh; }
-  double area(Index facet) const { return m_shapes[facet].area(); }
+  Index numberOfPoints() const { return m_surface.points; }
+  Index numberOfFacets() const { return static_cast<Index>(m_surface.shapes.size()); }
+  const ShapedFacets& surface() const { return m_surface; }
+  double area(Index facet) const { return m_surface.shapes[facet].area(); }
   double totalArea() const { return m_area; }
   /** V, a third of the area of the facets around each point. */
   const std::vector<double>& masses() const { return m_masses; }
 
+  /** Of each point, 3 facet + k: the facets around it. */
+  const Groups& corners() const { return m_corners; }
+  /** What a facet adds to G' A G where its corners k and l meet. */
+  double entry(Index facet, int k, int l) const
+  {
+    const auto& weights = m_weights[facet].ofCorner;
+    return this->area(facet) * (weights[k][0] * weights[l][0] + weights[k][1] * weights[l][1]);
+  }
+
   FacetRows gradient(const Rows& functions, Index facet) const;
+
+  /** The same; two rows, one after the other. @tparam fixed d, or 0 for any. */
+  template <int fixed>
+  void gradient(const Rows& functions, Index facet, double* rows) const
+  {
+    const auto d = fixed > 0 ? fixed : static_cast<int>(functions.cols());
+    const Triple& points = m_surface.facetPoints[facet];
+    const auto& weights = m_weights[facet].ofCorner;
+    const double* const first = functions.data() + Offset(points[0]) * d;
+    const double* const second = functions.data() + Offset(points[1]) * d;
+    const double* const third = functions.data() + Offset(points[2]) * d;
+    for (int k = 0; k < d; ++k)
+    {
+      rows[k] = weights[1][0] * (second[k] - first[k]);
+      rows[d + k] = weights[1][1] * (second[k] - first[k]) + weights[2][1] * (third[k] - first[k]);
+    }
+  }
 
   /**
    * For each point the sum over its facets, in their order, of area G' X. In parallel.
@@ -57,14 +77,15 @@ public:
   bool solve(const Rows& right, const RunControl& control, Rows& solution) const;
 
 private:
+  template <int fixed>
+  bool divergenceIn(const Rows& fields, const RunControl& control, Rows& sums) const;
   /** What the corners' values add to the two rows of the gradient. */
   struct Weights
   {
     double ofCorner[3][2];
   };
 
-  const SurfaceMesh& m_mesh;
-  const std::vector<TargetShape>& m_shapes;
+  ShapedFacets m_surface;
   std::vector<Weights> m_weights; ///< F
   std::vector<double> m_masses;
   double m_area = 0.0;

@@ -14,7 +14,7 @@ namespace remesh
 namespace
 {
 constexpr Offset facetsPerFacet = 2; // that refinement may make
-constexpr Offset facetsPerSite = 40; // half a unit is the longest edge
+constexpr Offset facetsPerSite = 40; // 0.7 units is the longest edge
 /** Of sizes at the corners of a given facet: above, nothing tells what is between them. */
 constexpr double mostVariation = 4.0;
 constexpr double sameUnit = 0.03; // relative: limiting again would change nothing
@@ -211,10 +211,11 @@ Status embedMetric(const SurfaceMesh& mesh, const Features* features, const Metr
   }
   IsometryOptions isometry;
   isometry.dimension = options.dimension;
+  isometry.unit = surface.unit;
   isometry.iterations = options.iterations;
   isometry.energyDecrease = options.energyDecrease;
-  return status.ok()
-    ? embedIsometrically(preparation.mesh(), surface.shapes, isometry, control, surface.embedding)
-    : status;
+  const SurfaceMesh& embedded = preparation.mesh();
+  const ShapedFacets facets{ embedded.numberOfPoints(), embedded.facetPoints, surface.shapes };
+  return status.ok() ? embedIsometrically(facets, isometry, control, surface.embedding) : status;
 }
 }

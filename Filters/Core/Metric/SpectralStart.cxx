@@ -20,25 +20,25 @@ constexpr double leastShare = 1e-10;  // of the largest eigenvalue: below, funct
 class ComponentSums
 {
 public:
-  ComponentSums(const SurfaceMesh& mesh, const RunControl& control)
+  ComponentSums(const ShapedFacets& surface, const RunControl& control)
     : m_control(control)
   {
-    DisjointSets sets(mesh.points.size());
-    for (const Triple& points : mesh.facetPoints)
+    DisjointSets sets(static_cast<std::size_t>(surface.points));
+    for (const Triple& points : surface.facetPoints)
     {
       sets.unite(points[0], points[1]);
       sets.unite(points[1], points[2]);
     }
-    m_ofPoint.resize(mesh.points.size());
-    std::vector<Index> numbers(mesh.points.size(), noIndex);
-    for (Index point = 0; point < mesh.numberOfPoints(); ++point)
+    m_ofPoint.resize(static_cast<std::size_t>(surface.points));
+    std::vector<Index> numbers(m_ofPoint.size(), noIndex);
+    for (Index point = 0; point < surface.points; ++point)
     {
       Index& number = numbers[sets.find(point)];
       number = number == noIndex ? m_count++ : number;
       m_ofPoint[point] = number;
     }
     m_complete = groupByKey(
-      mesh.numberOfPoints(), m_count, control, [&](Offset p) { return m_ofPoint[p]; }, m_points);
+      surface.points, m_count, control, [&](Offset p) { return m_ofPoint[p]; }, m_points);
   }
 
   Index count() const { return m_count; }
@@ -93,7 +93,7 @@ public:
   InverseIteration(const MetricLaplacian& laplacian, const RunControl& control)
     : m_laplacian(laplacian)
     , m_control(control)
-    , m_sums(laplacian.mesh(), control.silent())
+    , m_sums(laplacian.surface(), control.silent())
   {
   }
 

@@ -57,6 +57,22 @@ struct Walker
   double speed = 1.0;            ///< the last one
 };
 
+double turnOf(const Vector2& from, const Vector2& to)
+{
+  return from[0] * to[1] - from[1] * to[0];
+}
+
+/** A facet around a point, laid into the point's tangent plane. */
+struct Sector
+{
+  Index facet;
+  int corner;
+  Vector2 first; ///< to its next corners
+  Vector2 second;
+  double firstLength; ///< in R^3
+  double secondLength;
+};
+
 class StraightWalk
 {
 public:
@@ -88,15 +104,35 @@ public:
 
   bool complete() const { return m_complete; }
 
-  /** How far an edge from a point along a unit vector of R^3 goes for a length in the metric. */
-  double distanceFor(double length, Index point, const Point3& along) const
+  /** The facets around a point. */
+  void findSectors(Index point, const TangentFrame& frame, std::vector<Sector>& sectors) const
+  {
+    sectors.clear();
+    for (Offset i = m_corners.begins[point]; i < m_corners.begins[point + 1]; ++i)
+    {
+      const auto facet = static_cast<Index>(m_corners.items[i] / 3);
+      const int k = static_cast<int>(m_corners.items[i] % 3);
+      const Triple& points = m_mesh.facetPoints[facet];
+      const Point3 first = m_mesh.points[points[(k + 1) % 3]] - m_mesh.points[point];
+      const Point3 second = m_mesh.points[points[(k + 2) % 3]] - m_mesh.points[point];
+      sectors.push_back({ facet, k, { first.dot(frame.x), first.dot(frame.y) },
+        { second.dot(frame.x), second.dot(frame.y) }, first.norm(), second.norm() });
+    }
+  }
+
+  /**
+   * How far an edge from a point goes for a length in the metric.
+   *
+   * @param along a unit vector in the point's tangent plane.
+   * @param tensor there.
+   */
+  double distanceFor(double length, const std::vector<Sector>& sectors, const Vector2& along,
+    const Tensor2& tensor) const
   {
     Walker walker;
-    if (!this->start(point, along, walker))
+    if (!this->start(sectors, along, walker))
     {
-      const TangentFrame frame = TangentFrame::across(m_metric.normals[point]);
-      const Tensor2 tensor = frame.within(m_metric.tensors[point]);
-      return length / std::sqrt(tensor.squared(along.dot(frame.x), along.dot(frame.y)));
+      return length / std::sqrt(tensor.squared(along[0], along[1]));
     }
     for (int k = 0; k < mostFacets; ++k)
     {
@@ -111,33 +147,29 @@ public:
 
 private:
   /** The facet around the point that the direction leads into; false where none does. */
-  bool start(Index point, const Point3& along, Walker& walker) const
+  bool start(const std::vector<Sector>& sectors, const Vector2& along, Walker& walker) const
   {
-    const Point3& normal = m_metric.normals[point];
-    double best = -1e-9;
-    for (Offset i = m_corners.begins[point]; i < m_corners.begins[point + 1]; ++i)
+    constexpr double slack = -1e-9;
+    double best = slack;
+    for (const Sector& sector : sectors)
     {
-      const Index facet = m_corners.items[i] / 3;
-      const int k = static_cast<int>(m_corners.items[i] % 3);
-      const Triple& points = m_mesh.facetPoints[facet];
-      const Point3 first = m_mesh.points[points[(k + 1) % 3]] - m_mesh.points[point];
-      const Point3 second = m_mesh.points[points[(k + 2) % 3]] - m_mesh.points[point];
-      const double turn = normal.dot(first.cross(second));
-      const double a = normal.dot(along.cross(second)) / turn;
-      const double b = normal.dot(first.cross(along)) / turn;
-      const double least = std::min(a * first.norm(), b * second.norm());
+      const double turn = turnOf(sector.first, sector.second);
+      const double a = turnOf(along, sector.second) / turn;
+      const double b = turnOf(sector.first, along) / turn;
+      const double least = std::min(a * sector.firstLength, b * sector.secondLength);
       if (turn != 0.0 && least > best)
       {
         best = least;
-        const FlatFacet& flat = m_facets[facet];
-        const Vector2 way = a * flat.side(k) - b * flat.side((k + 2) % 3);
-        walker.facet = facet;
+        const int k = sector.corner;
+        const FlatFacet& flat = m_facets[sector.facet];
+        walker.facet = sector.facet;
         walker.entry = -1 - k;
         walker.place = flat.corners[k];
-        walker.way = way.normalized();
+        walker.way = a * flat.side(k) - b * flat.side((k + 2) % 3);
       }
     }
-    return best > -1e-9;
+    walker.way.normalize();
+    return best > slack;
   }
 
   /** Goes through the facet, or to where the length is reached; the side it leaves by. */
@@ -262,24 +294,32 @@ struct Fit
   }
 };
 
+/** A point, of which the ellipse is sought. */
+struct Place
+{
+  const StraightWalk& walk;
+  const std::vector<Sector>& sectors;
+  Tensor2 tensor; ///< of the metric as given
+  double unit;
+};
+
 /** The ellipse at a point, in that of the last round, of which `root` is the root. */
-Fit fitEllipse(const StraightWalk& walk, Index point, const TangentFrame& frame, double unit,
-  const Tensor2& root)
+Fit fitEllipse(const Place& at, const Tensor2& root)
 {
   const Tensor2 back = inverse(root);
+  const double half = 0.5 * at.unit;
   Fit fit;
   for (int k = 0; k < directions; ++k)
   {
     const double angle = pi * k / directions;
     const double u = std::cos(angle);
     const double v = std::sin(angle);
-    const double x = back.xx * u + back.xy * v;
-    const double y = back.xy * u + back.yy * v;
-    const double length = std::hypot(x, y);
-    const Point3 along = (x * frame.x + y * frame.y) / length;
-    const double reach =
-      walk.distanceFor(0.5 * unit, point, along) + walk.distanceFor(0.5 * unit, point, -along);
-    const double squared = (unit * length / reach) * (unit * length / reach);
+    const Vector2 way(back.xx * u + back.xy * v, back.xy * u + back.yy * v);
+    const double length = way.norm();
+    const Vector2 along = way / length;
+    const double reach = at.walk.distanceFor(half, at.sectors, along, at.tensor) +
+      at.walk.distanceFor(half, at.sectors, -along, at.tensor);
+    const double squared = (at.unit * length / reach) * (at.unit * length / reach);
     fit.mean += squared / directions;
     fit.cosine += 2.0 / directions * squared * std::cos(2.0 * angle);
     fit.sine += 2.0 / directions * squared * std::sin(2.0 * angle);
@@ -287,13 +327,13 @@ Fit fitEllipse(const StraightWalk& walk, Index point, const TangentFrame& frame,
   return fit;
 }
 
-Tensor2 limitedAt(
-  const StraightWalk& walk, Index point, const TangentFrame& frame, double unit, Tensor2 tensor)
+Tensor2 limitedAt(const Place& at)
 {
+  Tensor2 tensor = at.tensor;
   for (int round = 0; round < mostRounds; ++round)
   {
     const Tensor2 root = squareRoot(tensor);
-    const Fit fit = fitEllipse(walk, point, frame, unit, root);
+    const Fit fit = fitEllipse(at, root);
     tensor = sandwich(root, fit.tensor());
     if (fit.isCircle())
     {
@@ -317,11 +357,13 @@ bool limitToStraightEdges(const SurfaceMesh& mesh, const EdgeTable& edges,
   return forEachRange(Blocks::cut(mesh.numberOfPoints(), 256, 1 << 12), control,
     [&](Offset begin, Offset end)
     {
+      std::vector<Sector> sectors;
       for (Offset point = begin; point < end; ++point)
       {
         const TangentFrame frame = TangentFrame::across(metric.normals[point]);
-        const Tensor2 tensor = limitedAt(
-          walk, static_cast<Index>(point), frame, unit, frame.within(metric.tensors[point]));
+        walk.findSectors(static_cast<Index>(point), frame, sectors);
+        const Tensor2 tensor =
+          limitedAt({ walk, sectors, frame.within(metric.tensors[point]), unit });
         limited.tensors[point] = frame.tensorOf(tensor, 0.5 * (tensor.xx + tensor.yy));
       }
     });
