@@ -9,7 +9,7 @@
 
 #include "Mesh/EdgeTable.h"
 #include "Mesh/NormalFlow.h"
-#include "Support/Parallel.h"
+#include "Support/Grouping.h"
 
 #include <algorithm>
 #include <cmath>
