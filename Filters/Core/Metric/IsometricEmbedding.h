@@ -18,8 +18,7 @@
  * on a torus stretched 10 : 1 along a direction that winds around it, 28 800 points, edges of a
  * remeshing within [1/sqrt 2, sqrt 2] of the mean: 60 steps 0.881; 200 steps of a quasi-Newton
  * method with the same preconditioner 0.649, for an energy lower by 5 %; steps 1.9 times as long
- * 0.815. Crumples are what the fourth step is for: without it the coarse surface's stay (the same
- * torus, 137 574 points: 0.952 instead of 0.987).
+ * 0.815. Crumples are what the fourth step is for: without it the coarse surface's stay.
  */
 #ifndef remesh_IsometricEmbedding_h
 #define remesh_IsometricEmbedding_h

@@ -94,67 +94,110 @@ void LaplacianMatrix::applyTo(const Rows& functions, Offset point, double* sum) 
   }
 }
 
+/** Conjugate gradients for all columns as one system: what is done at each point. */
+template <int fixed>
+class LaplacianMatrix::Descent
+{
+public:
+  Descent(const LaplacianMatrix& matrix, Rows& right, Rows& solution)
+    : m_matrix(matrix)
+    , m_dimension(fixed > 0 ? fixed : static_cast<int>(right.cols()))
+    , m_rest(right)
+    , m_solution(solution)
+    , m_direction(right.rows(), right.cols())
+    , m_image(right.rows(), right.cols())
+  {
+    solution.setZero(right.rows(), right.cols());
+  }
+
+  /** A point's part of the first direction. @return what it adds to rest . diagonal^-1 rest. */
+  double begin(std::size_t point) { return this->divide(point, m_direction); }
+
+  /** The direction's image. @return what a point adds to direction . image. */
+  double apply(std::size_t point)
+  {
+    m_matrix.applyTo<fixed>(m_direction, static_cast<Offset>(point), this->row(m_image, point));
+    double product = 0.0;
+    for (std::size_t k = 0; k < this->columns(); ++k)
+    {
+      product += this->row(m_direction, point)[k] * this->row(m_image, point)[k];
+    }
+    return product;
+  }
+
+  /** Goes so far along the direction; the image becomes the rest over the diagonal. As `begin`. */
+  double move(std::size_t point, double length)
+  {
+    for (std::size_t k = 0; k < this->columns(); ++k)
+    {
+      this->row(m_solution, point)[k] += length * this->row(m_direction, point)[k];
+      this->row(m_rest, point)[k] -= length * this->row(m_image, point)[k];
+    }
+    return this->divide(point, m_image);
+  }
+
+  void turn(std::size_t point, double factor)
+  {
+    for (std::size_t k = 0; k < this->columns(); ++k)
+    {
+      double& direction = this->row(m_direction, point)[k];
+      direction = this->row(m_image, point)[k] + factor * direction;
+    }
+  }
+
+private:
+  std::size_t columns() const { return fixed > 0 ? fixed : m_dimension; }
+  double* row(Rows& rows, std::size_t point) const { return rows.data() + point * this->columns(); }
+
+  double divide(std::size_t point, Rows& quotient)
+  {
+    const double* const rest = this->row(m_rest, point);
+    double* const to = this->row(quotient, point);
+    const double scale = 1.0 / m_matrix.m_diagonal[point];
+    double product = 0.0;
+    for (std::size_t k = 0; k < this->columns(); ++k)
+    {
+      to[k] = scale * rest[k];
+      product += to[k] * rest[k];
+    }
+    return product;
+  }
+
+  const LaplacianMatrix& m_matrix;
+  int m_dimension;
+  Rows& m_rest; ///< V x d, and so are the others
+  Rows& m_solution;
+  Rows m_direction;
+  Rows m_image;
+};
+
 template <int fixed>
 bool LaplacianMatrix::approachIn(
   Rows& right, int steps, const RunControl& control, Rows& solution) const
 {
-  const Offset n = right.rows();
-  const auto d = fixed > 0 ? fixed : static_cast<int>(right.cols());
-  const Blocks blocks = Blocks::cut(n, 64, 1 << 15);
-  solution.setZero(n, d);
-  Rows direction(n, d);
-  Rows image(n, d);
-  const auto precondition = [&](std::size_t p, double* to)
-  {
-    const double* const from = right.data() + p * d;
-    const double scale = 1.0 / m_diagonal[p];
-    double product = 0.0;
-    for (int k = 0; k < d; ++k)
-    {
-      to[k] = scale * from[k];
-      product += to[k] * from[k];
-    }
-    return product;
-  };
-  const auto apply = [&](std::size_t p)
-  {
-    this->applyTo<fixed>(direction, static_cast<Offset>(p), image.data() + p * d);
-    double product = 0.0;
-    for (std::size_t k = p * d; k < (p + 1) * d; ++k)
-    {
-      product += direction.data()[k] * image.data()[k];
-    }
-    return product;
-  };
+  const Blocks blocks = Blocks::cut(right.rows(), 64, 1 << 15);
+  Descent<fixed> descent(*this, right, solution);
   double product = 0.0;
   bool done = sumInBlocks(
-    blocks, control, [&](std::size_t p) { return precondition(p, direction.data() + p * d); },
-    product);
+    blocks, control, [&](std::size_t p) { return descent.begin(p); }, product);
   for (int step = 0; step < steps && done && product > 0.0; ++step)
   {
     double curvature = 0.0;
-    double next = 0.0;
-    done = sumInBlocks(blocks, control, apply, curvature);
+    done = sumInBlocks(
+      blocks, control, [&](std::size_t p) { return descent.apply(p); }, curvature);
     if (!done || !(curvature > 0.0))
     {
       break;
     }
+    double next = 0.0;
     const double length = product / curvature;
-    const auto move = [&](std::size_t p)
-    {
-      for (std::size_t k = p * d; k < (p + 1) * d; ++k)
-      {
-        solution.data()[k] += length * direction.data()[k];
-        right.data()[k] -= length * image.data()[k];
-      }
-      return precondition(p, image.data() + p * d); // the image itself has served
-    };
-    done = sumInBlocks(blocks, control, move, next);
-    const double turn = next / product;
+    done = sumInBlocks(
+      blocks, control, [&](std::size_t p) { return descent.move(p, length); }, next);
+    const double factor = next / product;
     product = next;
     done = done &&
-      forEachItem(n * d, control,
-        [&](Offset k) { direction.data()[k] = image.data()[k] + turn * direction.data()[k]; });
+      forEachItem(right.rows(), control,
+        [&](Offset p) { descent.turn(static_cast<std::size_t>(p), factor); });
   }
   return done;
 }

@@ -45,6 +45,8 @@ private:
   template <int fixed>
   void applyTo(const Rows& functions, Offset point, double* sum) const;
   template <int fixed>
+  class Descent;
+  template <int fixed>
   bool approachIn(Rows& right, int steps, const RunControl& control, Rows& solution) const;
 
   const MetricLaplacian& m_laplacian;

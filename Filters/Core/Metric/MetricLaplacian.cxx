@@ -91,9 +91,8 @@ bool MetricLaplacian::divergenceIn(const Rows& fields, const RunControl& control
     });
 }
 
-Status MetricLaplacian::factor(const RunControl& control)
+SparseFactor::Matrix MetricLaplacian::lowerTriangle() const
 {
-  using Matrix = Eigen::SparseMatrix<double>;
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(6 * m_surface.shapes.size() + m_masses.size());
   double trace = 0.0;
@@ -110,17 +109,22 @@ Status MetricLaplacian::factor(const RunControl& control)
       }
     }
   }
-  if (control.cancelled())
-  {
-    return Status::cancelled();
-  }
   for (Index point = 0; point < this->numberOfPoints(); ++point)
   {
     entries.emplace_back(point, point, regularShare * trace / m_area * m_masses[point]);
   }
-  Matrix matrix(this->numberOfPoints(), this->numberOfPoints());
+  SparseFactor::Matrix matrix(this->numberOfPoints(), this->numberOfPoints());
   matrix.setFromTriplets(entries.begin(), entries.end());
-  entries = {};
+  return matrix;
+}
+
+Status MetricLaplacian::factor(const RunControl& control)
+{
+  const SparseFactor::Matrix matrix = this->lowerTriangle();
+  if (control.cancelled())
+  {
+    return Status::cancelled();
+  }
   m_factor.analyze(matrix);
   switch (m_factor.factorize(matrix, control))
   {

@@ -77,6 +77,9 @@ public:
   bool solve(const Rows& right, const RunControl& control, Rows& solution) const;
 
 private:
+  /** Of G' A G and that part of the masses. */
+  SparseFactor::Matrix lowerTriangle() const;
+
   template <int fixed>
   bool divergenceIn(const Rows& fields, const RunControl& control, Rows& sums) const;
   /** What the corners' values add to the two rows of the gradient. */

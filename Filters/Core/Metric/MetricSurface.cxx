@@ -115,6 +115,12 @@ private:
         break;
       }
     }
+    this->measureLimits();
+    return Status::success();
+  }
+
+  void measureLimits()
+  {
     m_surface.limits.resize(m_mesh->points.size());
     for (std::size_t p = 0; p < m_surface.limits.size(); ++p)
     {
@@ -123,7 +129,6 @@ private:
         frame.within(m_metric->tensors[p]), frame.within(m_surface.metric.tensors[p]));
       m_surface.limits[p] = static_cast<float>(std::sqrt(std::max(1.0, sizes.most)));
     }
-    return Status::success();
   }
 
   const SurfaceMesh* m_mesh;
