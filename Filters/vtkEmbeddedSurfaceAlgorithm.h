@@ -174,7 +174,7 @@ public:
    * changes a lot from one point to the next, more points are needed to tell what it is between
    * them. Where it is not met on a tenth of the surface, a warning says so.
    *
-   * 100 000 points took 5 s of processor time, twice what the remeshing of that surface to 10 000
+   * 100 000 points took 6 s of processor time, 2.6 times what the remeshing of that surface to 10 000
    * points takes without a metric.
    */
   void SetMetricArray(const char* name);

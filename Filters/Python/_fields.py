@@ -186,7 +186,7 @@ def metric_embedding(
 
     Notes
     -----
-    Some 5 s of one processor for 100 000 points that become 134 000. Source: O. Sorkine, M. Alexa:
+    Some 6 s of one processor for 100 000 points that become 205 000. Source: O. Sorkine, M. Alexa:
     As-rigid-as-possible surface modeling, Symposium on Geometry Processing, 2007.
     """
     arguments = dict(locals())

@@ -104,7 +104,7 @@ void testRefinement()
       longest = std::max(longest, std::sqrt(shape.edge2(k)));
     }
   }
-  CHECK(longest < 0.77 * unit);
+  CHECK(longest < 0.55 * unit);
   CHECK(variation < 2.0);
   // Nothing is split where all is fine, and no more than there is room for.
   CHECK(

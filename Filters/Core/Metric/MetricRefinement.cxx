@@ -8,7 +8,7 @@ namespace remesh
 {
 namespace
 {
-constexpr double longest = 0.7;       // of the unit
+constexpr double longest = 0.5;       // of the unit
 constexpr double shortest = 0.125;    // of the unit, where the metric changes
 constexpr double mostVariation = 1.3; // between sizes at an edge's ends
 

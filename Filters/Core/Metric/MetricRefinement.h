@@ -4,7 +4,7 @@
  *
  * 1. Edges are measured in the metric, whose logarithm is linear on each facet (V. Arsigny et al.,
  *    "Log-Euclidean metrics for fast and simple calculus on diffusion tensors", 2006).
- * 2. Split are those longer than 0.7 units, and those along which the metric changes by more than
+ * 2. Split are those longer than half a unit, and those along which the metric changes by more than
  *    a factor, down to an eighth of a unit.
  * 3. So are the longest sides of facets around them, in the metric, until all fits
  *    (Refinement.h): needles of the metric fall into pieces of good shape, that may be thin in R^3.

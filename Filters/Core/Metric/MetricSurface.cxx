@@ -14,7 +14,7 @@ namespace remesh
 namespace
 {
 constexpr Offset facetsPerFacet = 2; // that refinement may make
-constexpr Offset facetsPerSite = 40; // 0.7 units is the longest edge
+constexpr Offset facetsPerSite = 40; // half a unit is the longest edge
 /** Of sizes at the corners of a given facet: above, nothing tells what is between them. */
 constexpr double mostVariation = 4.0;
 constexpr double sameUnit = 0.03; // relative: limiting again would change nothing
