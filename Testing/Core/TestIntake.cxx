@@ -221,7 +221,7 @@ void testBorderGaps()
   const TriangleSoup grid = test::gridPatch(8, 8);
   CHECK_EQUAL(gapsOf(grid).points, 0);
   CHECK_EQUAL(gapsOf(test::icosphere(2)).points, 0);
-  for (const double gap : { 1e-9, 1e-6, 1e-4 })
+  for (const double gap : { 1e-9, 1e-6, 1e-4, 3e-4 })
   {
     TriangleSoup loose;
     for (const auto& triangle : grid.triangles)

@@ -5,13 +5,15 @@
 #include "Support/SortUnique.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace remesh
 {
 namespace
 {
-constexpr int firstDecade = 3;              // widths are 1e-3 ...
-constexpr int lastDecade = 12;              // ... to 1e-12 of the diagonal, which is rounding
+constexpr double largestWidth = 3.2e-3;     // of the diagonal, about
+constexpr double smallestWidth = 1e-12;     // which is rounding
+constexpr int stepsOfDecade = 2;            // of widths, each a root of ten times the next
 constexpr std::size_t vanishingSides = 100; // of so many, one may vanish
 
 /** The border's points, and its sides as pairs of their numbers. */
@@ -97,21 +99,21 @@ BorderGaps findBorderGaps(const std::vector<Point3>& points, const std::vector<T
   BorderGaps gaps;
   const Border border = findBorder(points, facets, edges);
   const double diagonal = boundingBoxDiagonal(points);
-  Offset before = -1; // merged over ten times the width
-  double width = 1e-3;
-  for (int decade = firstDecade; decade <= lastDecade && !border.points.empty(); ++decade)
+  std::vector<Offset> merged; // over each width so far
+  const double step = std::pow(10.0, 1.0 / stepsOfDecade);
+  for (double width = largestWidth; width > smallestWidth && !border.points.empty(); width /= step)
   {
-    const Offset merged = countMerged(border, width * diagonal, control);
-    if (merged == 0 || control.cancelled() || (gaps.points > 0 && merged < gaps.points))
+    merged.push_back(countMerged(border, width * diagonal, control));
+    const Offset now = merged.back();
+    if (now == 0 || control.cancelled() || (gaps.points > 0 && now < gaps.points))
     {
       break;
     }
-    if (merged > 0 && merged == before)
+    const std::size_t steps = merged.size() - 1;
+    if (now > 0 && steps >= stepsOfDecade && now == merged[steps - stepsOfDecade])
     {
-      gaps = { merged, width };
+      gaps = { now, width };
     }
-    before = merged;
-    width /= 10.0;
   }
   const bool isSlit = gaps.points > 0 &&
     countMerged(weldNearPoints(usedPoints(points, facets), gaps.width * diagonal, control)) ==

@@ -16,7 +16,8 @@ struct BorderGaps
 };
 
 /**
- * Finds slits by merging the points on the border over 1e-3, 1e-4 ... 1e-12 of the diagonal.
+ * Finds slits by merging the points on the border over widths from 3e-3 to 1e-12 of the diagonal,
+ * two for each power of ten.
  *
  * Widths that make sides of the border vanish (but for one in a hundred) are too large. If a
  * smaller one merges as many points as ten times that width, these points are much closer to each
