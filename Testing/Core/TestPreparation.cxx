@@ -3,6 +3,9 @@
 
 #include "TestRequests.h"
 
+#include <algorithm>
+#include <cfloat>
+
 using namespace remesh;
 
 namespace
@@ -110,6 +113,36 @@ void testJumps()
   CHECK_EQUAL(prepared.features->numberOfPatches, 2);
 }
 
+/** Large coordinates in single precision are told, as doubles, too; whole numbers are as meant. */
+void testRounding()
+{
+  const auto isTold = [](const TriangleSoup& soup, double precision)
+  {
+    PreparationRequest request;
+    request.source = test::sourceOf(soup);
+    request.source.precision = precision;
+    const auto warnings = preparedOf(request).warnings;
+    return std::any_of(warnings.begin(), warnings.end(),
+      [](const std::string& text) { return text.find("oordinates are rounded") < 6; });
+  };
+  TriangleSoup soup = test::torus(300.0, 100.0, 60, 20); // some 20 apart
+  for (Point3& point : soup.points)
+  {
+    point += Point3(5e6, 4e6, 0.0);
+  }
+  CHECK(!isTold(soup, DBL_EPSILON));
+  CHECK(isTold(soup, FLT_EPSILON));
+  TriangleSoup singles = soup;
+  TriangleSoup whole = soup;
+  for (std::size_t p = 0; p < soup.points.size(); ++p)
+  {
+    singles.points[p] = soup.points[p].cast<float>().cast<double>();
+    whole.points[p] = soup.points[p].array().round();
+  }
+  CHECK(isTold(singles, DBL_EPSILON));
+  CHECK(!isTold(whole, DBL_EPSILON));
+}
+
 void testErrors()
 {
   const TriangleSoup soup = test::gridPatch(2, 2);
@@ -133,6 +166,7 @@ int TestPreparation(int, char*[])
   testLent();
   testLabels();
   testJumps();
+  testRounding();
   testErrors();
   return test::result();
 }

@@ -16,7 +16,8 @@ namespace remesh
 /**
  * What rounding has left of the coordinates: it moves points and turns triangles round.
  *
- * @param precision of the numbers as they were read: the epsilon of their type.
+ * @param precision of the numbers as they came: the epsilon of their type. Doubles that were in
+ *   single precision before are found by their values.
  * Cost: O(F).
  */
 void tellRounding(double precision, const SurfaceMesh& mesh, std::vector<std::string>& warnings);
