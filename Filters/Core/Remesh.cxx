@@ -58,7 +58,7 @@ Status sumPlainly(const Task& task, const RunControl& control, RemeshResult& res
 }
 
 /** The topology of the placed mesh. */
-Status knowMesh(const RunControl& control, RemeshResult& result)
+Status measureMesh(const RunControl& control, RemeshResult& result)
 {
   const EdgeTable edges = buildEdgeTable(result.dual.triangles, control);
   return control.cancelled() ? Status::cancelled()
@@ -157,7 +157,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   {
     result.diagram = Diagram{};
   }
-  return status.ok() ? knowMesh(control.silent(), result) : status;
+  return status.ok() ? measureMesh(control.silent(), result) : status;
 }
 
 /** From the sites to the mesh. */
@@ -167,7 +167,7 @@ Status endRun(const Task& task, bool othersStay, RunControl control, RemeshResul
   result.placement = {};
   result.fallsApart = false;
   control.enterPhase("Restricted Voronoi diagram", 0.0, 0.6);
-  if (Status status = findDual(task, othersStay, control, result); !status.ok())
+  if (Status status = findRepairedDual(task, othersStay, control, result); !status.ok())
   {
     return status;
   }

@@ -71,7 +71,7 @@ struct Framed
     const std::vector<Intrusion>& intrusions, std::vector<Index>& joining, Offset mostPoints = 0)
   {
     const double spacing = std::sqrt(this->surface.siteMeasure / this->featureSites.sites.count());
-    const RefinedCurves refined = refineCurves(this->view(), intrusions, this->featureSites);
+    const RefinedCurves refined = refinedCurves(this->view(), intrusions, this->featureSites);
     joining = refined.joining;
     return refined.places +
       separateCurves(

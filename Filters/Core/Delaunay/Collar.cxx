@@ -74,11 +74,11 @@ bool listStretches(const VertexPlaces& places, Index facet, int k, std::vector<S
 }
 
 /** Walks along one side of one feature edge, and joins what meets there. */
-class Sewer
+class SeamBuilder
 {
 public:
-  Sewer(const VertexPlaces& places, const Components& components, const FeaturedSurface& featured,
-    const FeatureSites& featureSites, Seams& seams)
+  SeamBuilder(const VertexPlaces& places, const Components& components,
+    const FeaturedSurface& featured, const FeatureSites& featureSites, Seams& seams)
     : m_places(places)
     , m_diagram(places.diagram)
     , m_components(components)
@@ -369,13 +369,13 @@ Seams sewAlongFeatures(const VertexPlaces& places, const Components& components,
   seams.pinches = listPinches(features, featureSites);
   shapeCollars(features, featureSites, seams);
   addSegments(features, featureSites, seams);
-  Sewer sewer(places, components, featured, featureSites, seams);
+  SeamBuilder builder(places, components, featured, featureSites, seams);
   for (const CollarEdge& collar : featureSites.collar)
   {
     for (Offset i = features.edges.edgeFacetsBegin[collar.edge];
          i < features.edges.edgeFacetsBegin[collar.edge + 1]; ++i)
     {
-      sewer.sew(collar, features.edges.edgeFacets[i]);
+      builder.sew(collar, features.edges.edgeFacets[i]);
     }
   }
   keepNearest(seams.intrusions);

@@ -87,7 +87,7 @@ Station placeFor(
 }
 }
 
-RefinedCurves refineCurves(const FeaturedSurface& featured,
+RefinedCurves refinedCurves(const FeaturedSurface& featured,
   const std::vector<Intrusion>& intrusions, FeatureSites& featureSites)
 {
   RefinedCurves refined;

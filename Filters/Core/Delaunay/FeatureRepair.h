@@ -9,7 +9,7 @@
 
 namespace remesh
 {
-/** What refineCurves did. */
+/** What refinedCurves did. */
 struct RefinedCurves
 {
   Index places = 0;           ///< new ones on the curves
@@ -33,7 +33,7 @@ struct RefinedCurves
  * @param intrusions those of the seams, or what coarseSections returns.
  * @param featureSites are brought up to date. All sites must follow: see replaceFixed.
  */
-RefinedCurves refineCurves(const FeaturedSurface& featured,
+RefinedCurves refinedCurves(const FeaturedSurface& featured,
   const std::vector<Intrusion>& intrusions, FeatureSites& featureSites);
 
 /**

@@ -7,7 +7,7 @@ namespace remesh
 namespace
 {
 /** Which vertex takes over each that hangs; noIndex for all others. */
-std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const EdgeValences& edges,
+std::vector<Index> findReplacements(const std::vector<Triple>& triangles, const EdgeValences& edges,
   const Components& components, const Seams& seams)
 {
   std::vector<Index> uses(static_cast<std::size_t>(components.count()), 0);
@@ -26,7 +26,7 @@ std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const EdgeVal
       stays[component] = 1;
     }
   }
-  std::vector<Index> heirs(uses.size(), noIndex);
+  std::vector<Index> replacements(uses.size(), noIndex);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (int k = 0; k < 3; ++k)
@@ -38,37 +38,37 @@ std::vector<Index> findHeirs(const std::vector<Triple>& triangles, const EdgeVal
         edges.of(apex, from) == 1)
       {
         // Both have other triangles, and so do not hang themselves. The pieces must be next to the
-        // heir's: a vertex on a feature may meet them through the collar alone.
-        heirs[apex] = stays[from] && !stays[to] ? to : from;
+        // replacement's: a vertex on a feature may meet them through the collar alone.
+        replacements[apex] = stays[from] && !stays[to] ? to : from;
       }
     }
   }
-  return heirs;
+  return replacements;
 }
 
-/** Gives the pieces and sums of each vertex to its heir. */
-void takeOver(const std::vector<Index>& heirs, Components& components)
+/** Gives the pieces and sums of each vertex to its replacement. */
+void takeOver(const std::vector<Index>& replacements, Components& components)
 {
   for (Index k = 0; k < components.count(); ++k)
   {
-    if (const Index heir = heirs[k]; heir != noIndex)
+    if (const Index replacement = replacements[k]; replacement != noIndex)
     {
-      components.mass[heir] += components.mass[k];
-      components.area[heir] += components.area[k];
-      components.energy[heir] += components.energy[k];
+      components.mass[replacement] += components.mass[k];
+      components.area[replacement] += components.area[k];
+      components.energy[replacement] += components.energy[k];
     }
   }
 }
 
-/** Leaves out the vertices with heirs; returns the new number of each. */
-std::vector<Index> renumber(const std::vector<Index>& heirs, Components& components)
+/** Leaves out the vertices with replacements; returns the new number of each. */
+std::vector<Index> renumber(const std::vector<Index>& replacements, Components& components)
 {
   const Index count = components.count();
   std::vector<Index> numbers(static_cast<std::size_t>(count), noIndex);
   Index kept = 0;
   for (Index k = 0; k < count; ++k)
   {
-    if (heirs[k] != noIndex)
+    if (replacements[k] != noIndex)
     {
       continue;
     }
@@ -83,9 +83,9 @@ std::vector<Index> renumber(const std::vector<Index>& heirs, Components& compone
   }
   for (Index k = 0; k < count; ++k)
   {
-    if (heirs[k] != noIndex)
+    if (replacements[k] != noIndex)
     {
-      numbers[k] = numbers[heirs[k]];
+      numbers[k] = numbers[replacements[k]];
     }
   }
   components.sites.resize(kept);
@@ -118,14 +118,14 @@ void listPieces(Components& components)
 
 namespace
 {
-/** Leaves out those of a vertex with an heir. */
-void renumber(const std::vector<Index>& heirs, const std::vector<Index>& numbers,
+/** Leaves out those of a vertex with an replacement. */
+void renumber(const std::vector<Index>& replacements, const std::vector<Index>& numbers,
   std::vector<Triple>& triangles)
 {
   std::size_t stay = 0;
   for (const auto& [a, b, c] : triangles)
   {
-    if (heirs[a] == noIndex && heirs[b] == noIndex && heirs[c] == noIndex)
+    if (replacements[a] == noIndex && replacements[b] == noIndex && replacements[c] == noIndex)
     {
       triangles[stay++] = { numbers[a], numbers[b], numbers[c] }; // as ascending as they were
     }
@@ -156,22 +156,22 @@ void renumber(const std::vector<Index>& numbers, Seams& seams)
 Index removeHangingTriangles(const EdgeValences& edges, Components& components,
   std::vector<Triple>& triangles, std::vector<Triple>& repeated, Seams& seams)
 {
-  const std::vector<Index> heirs = findHeirs(triangles, edges, components, seams);
-  const auto kept = std::count(heirs.begin(), heirs.end(), noIndex);
+  const std::vector<Index> replacements = findReplacements(triangles, edges, components, seams);
+  const auto kept = std::count(replacements.begin(), replacements.end(), noIndex);
   const Index count = components.count() - static_cast<Index>(kept);
   if (count == 0)
   {
     return 0;
   }
-  takeOver(heirs, components);
-  const std::vector<Index> numbers = renumber(heirs, components);
+  takeOver(replacements, components);
+  const std::vector<Index> numbers = renumber(replacements, components);
   for (Index& component : components.ofPiece)
   {
     component = numbers[component];
   }
   listPieces(components);
-  renumber(heirs, numbers, triangles);
-  renumber(heirs, numbers, repeated);
+  renumber(replacements, numbers, triangles);
+  renumber(replacements, numbers, repeated);
   renumber(numbers, seams);
   return count;
 }

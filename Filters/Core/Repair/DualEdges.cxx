@@ -66,7 +66,7 @@ bool flipEdgeBack(
 }
 }
 
-void turnBack(const std::vector<Triple>& dual, RepairedMesh& mesh, MeshEdits& edits)
+void flipBack(const std::vector<Triple>& dual, RepairedMesh& mesh, MeshEdits& edits)
 {
   const Changes changes = changesOf(dual, mesh.triangles());
   for (bool any = true; any;)

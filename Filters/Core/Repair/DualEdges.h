@@ -21,7 +21,7 @@ namespace remesh
  * @param edits `flippedEdges` and `inverted` become what they are afterwards.
  * Cost: O(T), and some steps for each triangle that has changed.
  */
-void turnBack(const std::vector<Triple>& dual, RepairedMesh& mesh, MeshEdits& edits);
+void flipBack(const std::vector<Triple>& dual, RepairedMesh& mesh, MeshEdits& edits);
 }
 
 #endif

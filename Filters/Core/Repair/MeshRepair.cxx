@@ -217,7 +217,7 @@ Status repairMesh(const MeshTask& task, MeshSteps steps, InvertedSearch& search,
   if (edits.flippedEdges > 0)
   {
     RepairedMesh repaired(task.problem, task.surface, task.shapes, triangles, placed.positions);
-    turnBack(dual, repaired, edits);
+    flipBack(dual, repaired, edits);
     edits.refilled = std::min(edits.refilled, edits.flippedEdges);
   }
   return Status::success();

@@ -30,7 +30,7 @@ struct Repair
   PlacedVertices& placed;
 
   /** Turns back what faces against a surface, in copies of the mesh or in itself. */
-  Status turnBack(const NearbySurface& surface, InvertedSearch& search, std::vector<Triple>& some,
+  Status refill(const NearbySurface& surface, InvertedSearch& search, std::vector<Triple>& some,
     PlacedVertices& vertices) const
   {
     return repairMesh({ this->problem, surface, this->onSurface, this->start, this->control },
@@ -40,7 +40,7 @@ struct Repair
   Status turnInverted(const NearbySurface& own)
   {
     InvertedSearch search(own);
-    return this->turnBack(own, search, this->triangles, this->placed);
+    return this->refill(own, search, this->triangles, this->placed);
   }
 
   Verdict verdict() const
@@ -77,7 +77,7 @@ struct Repair
     }
     std::vector<Triple> others = this->triangles;
     PlacedVertices moved = this->placed;
-    status = this->turnBack(surface, search, others, moved);
+    status = this->refill(surface, search, others, moved);
     return status.ok() ? this->keepIfBetter(own, std::move(others), std::move(moved)) : status;
   }
 

@@ -63,7 +63,7 @@ Status SiteCandidate::judge(const RunControl& control)
   Status status = this->findDiagram(control.step(0, 2));
   if (status.ok())
   {
-    status = this->knowSurface(control.silent());
+    status = this->measureSurface(control.silent());
   }
   if (status.ok())
   {
@@ -138,7 +138,7 @@ Status SiteCandidate::findDiagram(const RunControl& control)
 }
 
 /** The surface's edges and its topology, if they are not known yet. */
-Status SiteCandidate::knowSurface(const RunControl& control)
+Status SiteCandidate::measureSurface(const RunControl& control)
 {
   if (!m_edges.facetEdges.empty())
   {
@@ -307,7 +307,7 @@ bool SiteCandidate::refineCurves(
   const Offset vertices = std::max(m_task.options.numberOfSites, m_result.numberOfVertexSites());
   const Offset most = m_task.mostPointsOnFeatures(vertices, m_result.shareApart);
   const FeaturedSurface featured = m_task.featured();
-  RefinedCurves refined = remesh::refineCurves(featured, intrusions, m_result.featureSites);
+  RefinedCurves refined = refinedCurves(featured, intrusions, m_result.featureSites);
   if (refined.places == 0)
   {
     return false;

@@ -127,7 +127,7 @@ private:
   Status findDual(const RunControl& control);
   bool isWorthCounting() const;
   Status countWrong(const RunControl& control);
-  Status knowSurface(const RunControl& control);
+  Status measureSurface(const RunControl& control);
   void findVerdict();
 
   const Task& m_task;

@@ -182,7 +182,7 @@ private:
   }
 };
 
-std::vector<Triple> trianglesOf(const SiteCandidate& candidate, const std::vector<Index>& some)
+std::vector<Triple> dualTriangles(const SiteCandidate& candidate, const std::vector<Index>& some)
 {
   std::vector<Triple> triangles;
   for (const Index t : some)
@@ -208,7 +208,7 @@ public:
   {
     const RemeshResult& result = candidate.result();
     const std::vector<Intrusion> coarse =
-      coarseSections(trianglesOf(candidate, candidate.invertedTriangles()), result.seams,
+      coarseSections(dualTriangles(candidate, candidate.invertedTriangles()), result.seams,
         candidate.task().featured(), result.featureSites, control);
     return !control.cancelled() && candidate.hasRoomOnCurves(countSections(coarse)) &&
       candidate.refineCurves(coarse, control);
@@ -240,7 +240,7 @@ public:
     m_counts.push_back(this->count(candidate));
     const std::vector<Index> wrong = this->wrongTriangles(candidate);
     Certificate failures;
-    failures.vertices = trianglesOf(candidate, wrong);
+    failures.vertices = dualTriangles(candidate, wrong);
     Refinement refinement = refineTriangles(candidate.dual(), wrong);
     return !refinement.added.empty() &&
       candidate.revise(std::move(refinement), failures, candidate.wantedVertices());

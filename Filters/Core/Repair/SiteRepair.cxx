@@ -80,7 +80,8 @@ SiteTable facingTable()
   return table;
 }
 
-Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result)
+Status findRepairedDual(
+  const Task& task, bool othersStay, const RunControl& control, RemeshResult& result)
 {
   {
     SiteCandidate candidate(task, othersStay, result);

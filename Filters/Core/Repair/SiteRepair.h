@@ -29,7 +29,8 @@ SiteTable facingTable();
  * Cost: a diagram and its dual. For each edit: the diagram where sites have changed, the dual, and
  * at first two of Lloyd's steps on a part of the surface.
  */
-Status findDual(const Task& task, bool othersStay, const RunControl& control, RemeshResult& result);
+Status findRepairedDual(
+  const Task& task, bool othersStay, const RunControl& control, RemeshResult& result);
 }
 
 #endif
