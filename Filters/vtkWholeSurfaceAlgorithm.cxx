@@ -7,10 +7,10 @@
 #include "Adaptors/OutputPorts.h"
 #include "Adaptors/SharedInputs.h"
 #include "Adaptors/SurfaceGathering.h"
+#include "Adaptors/TakenInput.h"
 #include "Adaptors/VTKCompatibility.h"
-#include "Adaptors/WholeData.h"
+#include "Adaptors/WholePorts.h"
 
-#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -19,7 +19,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
@@ -117,106 +116,6 @@ private:
   vtkSmartPointer<vtkCommand> Observer;
   unsigned long Tag = 0;
 };
-
-/** So that they count as old, and the next Update() executes again. */
-void markNotGenerated(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    outputs->GetInformationObject(port)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-  }
-}
-
-/** The ports with other data: the filter's own are left as they are. */
-class WholePorts
-{
-public:
-  WholePorts(const remesh::WholeData& data, vtkInformationVector** inputs, int numberOfInputs,
-    vtkInformationVector* outputs)
-    : Inputs(static_cast<std::size_t>(numberOfInputs))
-  {
-    for (int port = 0; port < numberOfInputs; ++port)
-    {
-      this->Inputs[port] = vtkSmartPointer<vtkInformationVector>::New();
-      if (vtkInformation* connection = inputs[port]->GetInformationObject(0))
-      {
-        append(connection, data.inputs[port], this->Inputs[port]);
-      }
-      this->InputPointers.push_back(this->Inputs[port]);
-    }
-    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-    {
-      append(outputs->GetInformationObject(port), data.outputs[port], this->Outputs);
-    }
-  }
-
-  vtkInformationVector** inputs() { return this->InputPointers.data(); }
-  vtkInformationVector* outputs() { return this->Outputs; }
-
-private:
-  static void append(vtkInformation* like, vtkDataObject* data, vtkInformationVector* ports)
-  {
-    vtkNew<vtkInformation> info;
-    info->Copy(like);
-    info->Set(vtkDataObject::DATA_OBJECT(), data);
-    ports->Append(info);
-  }
-
-  std::vector<vtkSmartPointer<vtkInformationVector>> Inputs;
-  std::vector<vtkInformationVector*> InputPointers;
-  vtkNew<vtkInformationVector> Outputs;
-};
-
-/** One input port as plain data. */
-struct TakenInput
-{
-  vtkSmartPointer<vtkDataObject> whole;
-  std::vector<remesh::SurfaceBlock> blocks; ///< that it was joined from, if it had any
-  remesh::JoinReport report;
-};
-
-/** The surface, or the sites, of one input port. */
-remesh::Status takeInput(
-  vtkDataObject* input, const std::string& subject, bool takesPoints, TakenInput& taken)
-{
-  auto& [whole, blocks, report] = taken;
-  whole = input;
-  const bool isPlain = takesPoints ? vtkPointSet::SafeDownCast(input) != nullptr
-                                   : vtkPolyData::SafeDownCast(input) != nullptr;
-  if (!input || isPlain)
-  {
-    return remesh::Status::success();
-  }
-  auto joined = vtkSmartPointer<vtkPolyData>::New();
-  whole = joined;
-  if (remesh::hasBlocks(input))
-  {
-    blocks = remesh::findBlocks(input);
-    remesh::Status status =
-      takesPoints ? remesh::joinPoints(blocks, joined) : remesh::joinBlocks(blocks, joined, report);
-    joined->GetFieldData()->PassData(input->GetFieldData());
-    return status;
-  }
-  if (takesPoints)
-  {
-    return remesh::Status::invalid(
-      std::string("The sites are a ") + input->GetClassName() + ", which has no points for sites.");
-  }
-  remesh::LeafSurface leaf;
-  if (remesh::Status status = remesh::readLeaf(input, subject, leaf); !status.ok())
-  {
-    return status;
-  }
-  if (leaf.cellIds)
-  {
-    remesh::joinLeaf(leaf, joined, report);
-    joined->GetFieldData()->PassData(input->GetFieldData());
-    return remesh::Status::success();
-  }
-  leaf.surface->GetCellData()->ShallowCopy(leaf.cellData);
-  whole = leaf.surface;
-  return remesh::Status::success();
-}
 }
 
 /** One execution: what is at the ports, and the same as plain data. */
@@ -239,8 +138,8 @@ struct vtkWholeSurfaceAlgorithm::vtkWhole
     this->Data.blocks.resize(ports);
     for (std::size_t port = 0; port < ports; ++port)
     {
-      TakenInput taken;
-      remesh::Status status = takeInput(vtkDataObject::GetData(this->InputVector[port]),
+      remesh::TakenInput taken;
+      remesh::Status status = remesh::takeInput(vtkDataObject::GetData(this->InputVector[port]),
         port == 0 ? "The input" : "The input at port " + std::to_string(port),
         this->Self->TakesPoints(static_cast<int>(port)), taken);
       this->Data.inputs[port] = taken.whole;
@@ -442,7 +341,7 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   done = gathering.finish(done, outputVector, this->DistributeOutputs);
   if (remesh::abortRequested(this))
   {
-    markNotGenerated(outputVector);
+    remesh::markNotGenerated(outputVector);
   }
   return done;
 }
@@ -450,7 +349,7 @@ int vtkWholeSurfaceAlgorithm::RequestData(
 int vtkWholeSurfaceAlgorithm::WorkOnWhole(vtkWhole& whole)
 {
   const remesh::Status status = whole.TakeInputs();
-  WholePorts ports(
+  remesh::WholePorts ports(
     whole.Data, whole.InputVector, this->GetNumberOfInputPorts(), whole.OutputVector);
   int done = 0;
   if (status.ok())

@@ -6,6 +6,8 @@
 #define remesh_OutputPorts_h
 
 #include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
 namespace remesh
@@ -19,6 +21,15 @@ inline void emptyPorts(vtkInformationVector* ports)
     {
       output->Initialize();
     }
+  }
+}
+
+/** So that they count as old, and the next Update() executes again. */
+inline void markNotGenerated(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
   }
 }
 }
