@@ -1,5 +1,7 @@
 #include "Metric/LaplacianMatrix.h"
 
+#include "Support/ConjugateGradients.h"
+
 #include <algorithm>
 
 namespace remesh
@@ -177,28 +179,9 @@ bool LaplacianMatrix::approachIn(
 {
   const Blocks blocks = Blocks::cut(right.rows(), 64, 1 << 15);
   Descent<fixed> descent(*this, right, solution);
-  double product = 0.0;
-  bool done = sumInBlocks(
-    blocks, control, [&](std::size_t p) { return descent.begin(p); }, product);
-  for (int step = 0; step < steps && done && product > 0.0; ++step)
-  {
-    double curvature = 0.0;
-    done = sumInBlocks(
-      blocks, control, [&](std::size_t p) { return descent.apply(p); }, curvature);
-    if (!done || !(curvature > 0.0))
-    {
-      break;
-    }
-    double next = 0.0;
-    const double length = product / curvature;
-    done = sumInBlocks(
-      blocks, control, [&](std::size_t p) { return descent.move(p, length); }, next);
-    const double factor = next / product;
-    product = next;
-    done = done &&
-      forEachItem(right.rows(), control,
-        [&](Offset p) { descent.turn(static_cast<std::size_t>(p), factor); });
-  }
-  return done;
+  ConjugateGradientsLimits limits;
+  limits.iterations = steps;
+  limits.reduction = 0.0;
+  return descendConjugately(blocks, limits, control, descent);
 }
 }

@@ -1,6 +1,7 @@
 #include "Metric/MetricCoarsening.h"
 
 #include "Mesh/EdgeTable.h"
+#include "Metric/FacetStar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,76 +10,34 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostFacets = 16;     // around a point that is removed
-constexpr double goodEnough = 0.3; // quality of triangles, 1 for equal sides
-constexpr double mostBend = 1.0;   // radians, by which angles may differ from a full turn
-constexpr double mostBorderBend = 0.3;
-constexpr double leastShare = 0.01; // of the points, that a pass is to remove
-constexpr double pi = 3.14159265358979323846;
+constexpr double goodEnough = 0.3;         // quality of triangles, 1 for equal sides
+constexpr double leastShare = 0.01;        // of the points, that a pass is to remove
 constexpr Index pointsBetweenLooks = 1024; // at whether the run is cancelled
-
-using Vector2 = Eigen::Vector2d;
-
-double cross(const Vector2& a, const Vector2& b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-int next(int k)
-{
-  return k == 2 ? 0 : k + 1;
-}
-
-/** Corner k of facet f, and side k, from it to the next one. */
-Index cornerOf(Index facet, int k)
-{
-  return 3 * facet + k;
-}
-
-/** Facets around a point, counter-clockwise, in a plane with the point at its origin. */
-struct Star
-{
-  bool isBorder = false;
-  int facets = 0;
-  Index corners[mostFacets];      ///< of the facets at the point
-  int ends = 0;                   ///< points around
-  Index points[mostFacets + 1];   ///< around
-  Vector2 places[mostFacets + 1]; ///< of these
-  double worst = 1.0;             ///< quality of its facets
-
-  /** The k-th point from one of the ends, around. */
-  int from(int end, int k) const { return (end + k) % this->ends; }
-};
-
-double qualityOf(const Vector2& a, const Vector2& b, const Vector2& c)
-{
-  const double sum = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  return 2.0 * std::sqrt(3.0) * cross(b - a, c - a) / sum;
-}
 
 class Coarsening
 {
 public:
   Coarsening(const ShapedFacets& surface, double longest)
-    : m_longest2(longest * longest)
-    , m_points(surface.facetPoints.begin(), surface.facetPoints.end())
-    , m_lengths(surface.facetPoints.size())
-    , m_across(surface.facetPoints.size(), Triple{ noIndex, noIndex, noIndex })
-    , m_cornerOfPoint(static_cast<std::size_t>(surface.points), noIndex)
+    : m_longest(longest)
     , m_states(static_cast<std::size_t>(surface.points), State::Open)
   {
-    for (std::size_t f = 0; f < m_lengths.size(); ++f)
+    const std::size_t count = surface.facetPoints.size();
+    m_facets.points.assign(surface.facetPoints.begin(), surface.facetPoints.end());
+    m_facets.lengths.resize(count);
+    m_facets.across.assign(count, { noIndex, noIndex, noIndex });
+    m_facets.cornerOfPoint.assign(static_cast<std::size_t>(surface.points), noIndex);
+    for (std::size_t f = 0; f < m_facets.lengths.size(); ++f)
     {
       for (int k = 0; k < 3; ++k)
       {
-        m_lengths[f][k] = std::sqrt(surface.shapes[f].edge2(k));
+        m_facets.lengths[f][k] = std::sqrt(surface.shapes[f].edge2(k));
       }
     }
   }
 
   bool run(const RunControl& control)
   {
-    const EdgeTable edges = buildEdgeTable(m_points, control);
+    const EdgeTable edges = buildEdgeTable(m_facets.points, control);
     if (control.cancelled())
     {
       return false;
@@ -117,14 +76,14 @@ public:
         coarse.points.push_back(static_cast<Index>(p));
       }
     }
-    for (std::size_t f = 0; f < m_points.size(); ++f)
+    for (std::size_t f = 0; f < m_facets.points.size(); ++f)
     {
-      const Triple& points = m_points[f];
+      const Triple& points = m_facets.points[f];
       if (points[0] != noIndex)
       {
         coarse.facetPoints.push_back(
           { numbers[points[0]], numbers[points[1]], numbers[points[2]] });
-        coarse.shapes.push_back(shapeOf(m_lengths[f]));
+        coarse.shapes.push_back(shapeOf(m_facets.lengths[f]));
       }
     }
     coarse.removed.swap(m_removed);
@@ -155,22 +114,22 @@ private:
   void join(const EdgeTable& edges)
   {
     std::vector<int> facets(m_states.size(), 0);
-    for (Index f = 0; f < static_cast<Index>(m_points.size()); ++f)
+    for (Index f = 0; f < static_cast<Index>(m_facets.points.size()); ++f)
     {
       for (int k = 0; k < 3; ++k)
       {
         const Index edge = edges.facetEdges[f][k];
         const Index begin = edges.edgeFacetsBegin[edge];
-        ++facets[m_points[f][k]];
-        m_cornerOfPoint[m_points[f][k]] = cornerOf(f, k);
+        ++facets[m_facets.points[f][k]];
+        m_facets.cornerOfPoint[m_facets.points[f][k]] = cornerOf(f, k);
         if (edges.valence(edge) == 2)
         {
           const Index other =
             edges.edgeFacets[begin] == f ? edges.edgeFacets[begin + 1] : edges.edgeFacets[begin];
           const int side = edges.sideOf(other, edge);
-          if (m_points[other][side] != m_points[f][k])
+          if (m_facets.points[other][side] != m_facets.points[f][k])
           {
-            m_across[f][k] = cornerOf(other, side);
+            m_facets.across[f][k] = cornerOf(other, side);
             continue;
           }
         }
@@ -178,151 +137,19 @@ private:
         {
           continue;
         }
-        m_states[m_points[f][k]] = m_states[m_points[f][next(k)]] = State::Fixed;
+        m_states[m_facets.points[f][k]] = m_states[m_facets.points[f][next(k)]] = State::Fixed;
       }
     }
     for (std::size_t p = 0; p < m_states.size(); ++p)
     {
       Star star;
       if (m_states[p] == State::Open &&
-        (m_cornerOfPoint[p] == noIndex ||
-          (this->walk(static_cast<Index>(p), star) && star.facets != facets[p])))
+        (m_facets.cornerOfPoint[p] == noIndex ||
+          (walkAround(m_facets, static_cast<Index>(p), star) && star.facets != facets[p])))
       {
         m_states[p] = State::Fixed;
       }
     }
-  }
-
-  /** The facets around a point and their points; false where they are too many. */
-  bool walk(Index point, Star& star) const
-  {
-    const Index begin = m_cornerOfPoint[point];
-    Index corner = begin;
-    for (Index side = m_across[corner / 3][corner % 3]; side != noIndex;
-         side = m_across[corner / 3][corner % 3])
-    {
-      corner = cornerOf(side / 3, next(static_cast<int>(side % 3))); // clockwise
-      if (corner == begin)
-      {
-        break;
-      }
-    }
-    const Index first = corner;
-    star.facets = 0;
-    for (;;)
-    {
-      if (star.facets == mostFacets)
-      {
-        return false;
-      }
-      const Index facet = corner / 3;
-      const int k = static_cast<int>(corner % 3);
-      star.points[star.facets] = m_points[facet][next(k)];
-      star.corners[star.facets++] = corner;
-      const Index side = m_across[facet][next(next(k))];
-      star.isBorder = side == noIndex;
-      if (star.isBorder)
-      {
-        star.points[star.facets] = m_points[facet][next(next(k))];
-        star.ends = star.facets + 1;
-        return true;
-      }
-      corner = side; // the point is where that side begins
-      if (corner == first)
-      {
-        star.ends = star.facets;
-        return true;
-      }
-    }
-  }
-
-  /** Lays the facets out. False where they do not fit into a plane. */
-  bool layOut(Star& star) const
-  {
-    double spokes[mostFacets + 1] = {};
-    double angles[mostFacets];
-    double sum = 0.0;
-    star.worst = 1.0;
-    for (int i = 0; i < star.facets; ++i)
-    {
-      const Lengths& lengths = m_lengths[star.corners[i] / 3];
-      const int k = static_cast<int>(star.corners[i] % 3);
-      const double a = lengths[k];
-      const double b = lengths[next(next(k))];
-      const double c = lengths[next(k)];
-      const double cosine = (a * a + b * b - c * c) / (2.0 * a * b);
-      const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-      angles[i] = std::atan2(sine, cosine);
-      sum += angles[i];
-      star.worst =
-        std::min(star.worst, 2.0 * std::sqrt(3.0) * a * b * sine / (a * a + b * b + c * c));
-      const int end = star.from(i, 1);
-      spokes[i] += (star.isBorder && i == 0 ? 1.0 : 0.5) * a;
-      spokes[end] += (star.isBorder && i == star.facets - 1 ? 1.0 : 0.5) * b;
-    }
-    const double bend = sum - (star.isBorder ? pi : 2.0 * pi);
-    if (!(std::abs(bend) < (star.isBorder ? mostBorderBend : mostBend)))
-    {
-      return false;
-    }
-    const double scale = star.isBorder ? 1.0 : 2.0 * pi / sum;
-    double angle = 0.0;
-    for (int i = 0; i < star.ends; ++i)
-    {
-      star.places[i] = { spokes[i] * std::cos(angle), spokes[i] * std::sin(angle) };
-      angle += i < star.facets ? scale * angles[i] : 0.0;
-    }
-    return true;
-  }
-
-  /** The worst quality of the triangles from one end to all others; below 0 where it cannot be. */
-  double qualityFrom(const Star& star, int end) const
-  {
-    double worst = 1.0;
-    for (int k = 1; k + 1 < star.ends; ++k)
-    {
-      const Vector2& a = star.places[end];
-      const Vector2& b = star.places[star.from(end, k)];
-      const Vector2& c = star.places[star.from(end, k + 1)];
-      if (k > 1 && (b - a).squaredNorm() > m_longest2)
-      {
-        return -1.0;
-      }
-      worst = std::min(worst, qualityOf(a, b, c));
-    }
-    // A border gets a new side, from one end to the other.
-    return star.isBorder && (star.places[0] - star.places[star.ends - 1]).squaredNorm() > m_longest2
-      ? -1.0
-      : worst;
-  }
-
-  /** Whether triangles from that end would join points that are joined already. */
-  bool isTaken(const Star& star, int end) const
-  {
-    Star other;
-    if (!this->walk(star.points[end], other))
-    {
-      return true;
-    }
-    // Those next to it around the star are joined to it.
-    const int first = star.isBorder && end != 0 ? 1 : 2;
-    const int last = star.isBorder && end == 0 ? star.ends : star.ends - 1;
-    for (int k = first; k < last; ++k)
-    {
-      const Index point = star.points[star.from(end, k)];
-      if (std::find(other.points, other.points + other.ends, point) != other.points + other.ends)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /** What is across the side of a facet of a star that is not at its point. */
-  Index outside(const Star& star, int facet) const
-  {
-    const Index corner = star.corners[facet];
-    return m_across[corner / 3][next(static_cast<int>(corner % 3))];
   }
 
   bool mayGo(const Star& star) const
@@ -338,8 +165,8 @@ private:
     {
       return star.isBorder && star.facets > 1;
     }
-    const Index sides[3] = { this->outside(star, 0), this->outside(star, 1),
-      this->outside(star, 2) };
+    const Index sides[3] = { outside(m_facets, star, 0), outside(m_facets, star, 1),
+      outside(m_facets, star, 2) };
     const auto isSame = [](Index a, Index b)
     { return a != noIndex && b != noIndex && a / 3 == b / 3; };
     return star.facets > 3 ||
@@ -349,15 +176,15 @@ private:
   void tryPoint(Index point)
   {
     Star star;
-    if (!this->walk(point, star) || !this->mayGo(star) || !this->layOut(star))
+    if (!walkAround(m_facets, point, star) || !this->mayGo(star) || !layOut(m_facets, star))
     {
       return;
     }
-    double qualities[mostFacets + 1];
+    double qualities[Star::mostFacets + 1];
     for (int end = 0; end < star.ends; ++end)
     {
       const bool isEnd = !star.isBorder || end == 0 || end == star.ends - 1;
-      qualities[end] = isEnd ? this->qualityFrom(star, end) : -1.0;
+      qualities[end] = isEnd ? qualityFrom(star, end, m_longest) : -1.0;
     }
     const double least = std::max(std::min(star.worst, goodEnough), 1e-6);
     for (;;)
@@ -368,7 +195,7 @@ private:
       {
         return;
       }
-      if (!this->isTaken(star, best))
+      if (!isTaken(m_facets, star, best))
       {
         this->remove(point, star, best);
         return;
@@ -379,10 +206,10 @@ private:
 
   void join(Index side, Index other)
   {
-    m_across[side / 3][side % 3] = other;
+    m_facets.across[side / 3][side % 3] = other;
     if (other != noIndex)
     {
-      m_across[other / 3][other % 3] = side;
+      m_facets.across[other / 3][other % 3] = side;
     }
   }
 
@@ -398,8 +225,8 @@ private:
     const Index first = star.corners[star.isBorder && end != 0 ? 0 : star.from(end, 1)];
     const Index last = star.corners[star.isBorder ? (end == 0 ? star.facets - 1 : star.facets - 2)
                                                   : star.from(end, star.ends - 2)];
-    const Index beyond[2] = { hasDead[0] ? this->outside(star, dead[0]) : noIndex,
-      hasDead[1] ? this->outside(star, dead[1]) : noIndex };
+    const Index beyond[2] = { hasDead[0] ? outside(m_facets, star, dead[0]) : noIndex,
+      hasDead[1] ? outside(m_facets, star, dead[1]) : noIndex };
     for (int k = 1; k + 1 < star.ends; ++k)
     {
       const int b = star.from(end, k);
@@ -410,15 +237,16 @@ private:
     {
       if (hasDead[k])
       {
-        m_points[star.corners[dead[k]] / 3] = { noIndex, noIndex, noIndex };
+        m_facets.points[star.corners[dead[k]] / 3] = { noIndex, noIndex, noIndex };
         this->join(k == 0 ? first : sideBefore(last), beyond[k]);
       }
     }
-    m_cornerOfPoint[star.points[end]] = first;
+    m_facets.cornerOfPoint[star.points[end]] = first;
     m_states[point] = State::Removed;
     // At the ends of facets that are gone.
-    m_cornerOfPoint[m_points[first / 3][next(static_cast<int>(first % 3))]] = sideAfter(first);
-    m_cornerOfPoint[m_points[last / 3][sideBefore(last) % 3]] = sideBefore(last);
+    m_facets.cornerOfPoint[m_facets.points[first / 3][next(static_cast<int>(first % 3))]] =
+      sideAfter(first);
+    m_facets.cornerOfPoint[m_facets.points[last / 3][sideBefore(last) % 3]] = sideBefore(last);
     for (int i = 0; i < star.ends; ++i)
     {
       m_states[star.points[i]] = State::Waiting;
@@ -430,10 +258,10 @@ private:
   {
     const Index facet = corner / 3;
     int k = static_cast<int>(corner % 3);
-    m_points[facet][k] = star.points[ends[0]];
+    m_facets.points[facet][k] = star.points[ends[0]];
     for (int j = 0; j < 3; ++j, k = next(k))
     {
-      m_lengths[facet][k] = (star.places[ends[next(j)]] - star.places[ends[j]]).norm();
+      m_facets.lengths[facet][k] = (star.places[ends[next(j)]] - star.places[ends[j]]).norm();
     }
   }
 
@@ -477,11 +305,8 @@ private:
     return removed;
   }
 
-  double m_longest2;
-  std::vector<Triple> m_points; ///< of facets; noIndex: the facet is gone
-  std::vector<Lengths> m_lengths;
-  std::vector<Triple> m_across; ///< of each side, the one that it is joined to
-  std::vector<Index> m_cornerOfPoint;
+  double m_longest; ///< side that may be made
+  JoinedFacets m_facets;
   std::vector<State> m_states;
   std::vector<RemovedPoint> m_removed;
 };
