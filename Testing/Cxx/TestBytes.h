@@ -18,11 +18,9 @@
 namespace remesh::test
 {
 /** Raw memory of an array, or the strings of a string array. */
-inline std::string bytesOf(vtkAbstractArray* array)
+inline std::string valuesOf(vtkAbstractArray* array)
 {
-  std::string bytes = std::string(array->GetDataTypeAsString()) + " " +
-    std::to_string(array->GetNumberOfComponents()) + "x" +
-    std::to_string(array->GetNumberOfTuples()) + ":";
+  std::string bytes;
   if (auto* strings = vtkStringArray::SafeDownCast(array))
   {
     for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
@@ -38,6 +36,22 @@ inline std::string bytesOf(vtkAbstractArray* array)
     bytes.append(static_cast<const char*>(array->GetVoidPointer(0)), size);
   }
   return bytes;
+}
+
+/** The same after type and size. */
+inline std::string bytesOf(vtkAbstractArray* array)
+{
+  return std::string(array->GetDataTypeAsString()) + " " +
+    std::to_string(array->GetNumberOfComponents()) + "x" +
+    std::to_string(array->GetNumberOfTuples()) + ":" + valuesOf(array);
+}
+
+/** Offsets and ids of cells. VTK 9.6 has two types for them, of the same size. */
+inline std::string bytesOf(vtkCellArray* cells)
+{
+  return std::to_string(cells->GetOffsetsArray()->GetDataTypeSize()) + "x" +
+    std::to_string(cells->GetNumberOfCells()) + ":" + valuesOf(cells->GetOffsetsArray()) +
+    valuesOf(cells->GetConnectivityArray());
 }
 
 using Content = std::map<std::string, std::string>;
@@ -65,12 +79,10 @@ inline Content contentOf(vtkDataObject* data)
     addArrays("point ", surface->GetPointData());
     addArrays("cell ", surface->GetCellData());
     content["points"] = surface->GetPoints() ? bytesOf(surface->GetPoints()->GetData()) : "";
-    const auto addCells = [&](const char* name, vtkCellArray* cells)
-    { content[name] = bytesOf(cells->GetOffsetsArray()) + bytesOf(cells->GetConnectivityArray()); };
-    addCells("verts", surface->GetVerts());
-    addCells("lines", surface->GetLines());
-    addCells("polys", surface->GetPolys());
-    addCells("strips", surface->GetStrips());
+    content["verts"] = bytesOf(surface->GetVerts());
+    content["lines"] = bytesOf(surface->GetLines());
+    content["polys"] = bytesOf(surface->GetPolys());
+    content["strips"] = bytesOf(surface->GetStrips());
   }
   return content;
 }
