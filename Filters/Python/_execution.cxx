@@ -217,8 +217,9 @@ private:
       return;
     }
     takeSignal();
-    if (!mainThread.inUpdate && PyGILState_Check())
+    if (!mainThread.inUpdate)
     {
+      const vtkPythonScopeGilEnsurer gil(true); // some releases of VTK update without it
       Py_XDECREF(mainThread.frame);
       mainThread.frame = PyEval_GetFrame();
       Py_XINCREF(mainThread.frame);
