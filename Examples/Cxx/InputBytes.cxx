@@ -46,9 +46,10 @@ std::string ReadBytes(const std::string& path)
   int status = Z_OK;
   gzerror(file, &status);
   const int closing = gzclose(file);
-  if (size < 0 || closing != Z_OK)
+  // Some releases of zlib read nothing of a damaged archive, and tell by the status alone.
+  if (status != Z_OK || closing != Z_OK)
   {
-    GiveUp(size < 0 ? status : closing);
+    GiveUp(status != Z_OK ? status : closing);
   }
   if (bytes.empty())
   {
