@@ -317,8 +317,12 @@ class TestOtherFormats(FilesTest):
         write(surface, self.input("part.vtp"))
         self.succeed(self.input("part.vtp"), "b.vtp", *SMALL)
         self.assertEqual(content(self.path("a.vtp")), content(self.path("b.vtp")))
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(surface.GetPoints())
+        grid.Allocate(2)
+        grid.InsertNextCell(VTK_TRIANGLE, 3, [0, 1, 2])
         grid.InsertNextCell(VTK_HEXAHEDRON, 8, list(range(8)))
-        part.InsertNextValue(0)
+        writer.SetInputData(grid)
         writer.Write()
         self.fail_with(1, "volume cells: extract their surface", self.input("sphere.vtu"), "c.vtp")
 
