@@ -134,13 +134,17 @@ void testRounding()
   CHECK(isTold(soup, FLT_EPSILON));
   TriangleSoup singles = soup;
   TriangleSoup whole = soup;
+  TriangleSoup lattice = soup; // of points half a unit apart, as terrain has it
   for (std::size_t p = 0; p < soup.points.size(); ++p)
   {
     singles.points[p] = soup.points[p].cast<float>().cast<double>();
     whole.points[p] = soup.points[p].array().round();
+    lattice.points[p] = (soup.points[p] * 2.0).array().round() / 2.0;
+    lattice.points[p][2] = soup.points[p][2];
   }
   CHECK(isTold(singles, DBL_EPSILON));
   CHECK(!isTold(whole, DBL_EPSILON));
+  CHECK(!isTold(lattice, DBL_EPSILON));
 }
 
 void testErrors()

@@ -3,6 +3,7 @@
 #include "Mesh/FacetGeometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <sstream>
@@ -28,23 +29,19 @@ double largestOf(const std::vector<Point3>& points, int axis)
   return largest;
 }
 
-/**
- * Whether double coordinates come from single precision: all are such numbers, and some need the
- * last bit of the largest. Whole numbers and multiples of a coarser step are no such case.
- */
-bool isOfSingles(const std::vector<Point3>& points, int axis, double largest)
+/** Whether all are such numbers, as they are of doubles that were in single precision before. */
+bool areSingles(const std::vector<Point3>& points)
+{
+  return std::all_of(points.begin(), points.end(),
+    [](const Point3& point) { return point.cast<float>().cast<double>() == point; });
+}
+
+/** Whether some need the last bit of the largest: whole numbers and coarser steps are as meant. */
+bool needLastBit(const std::vector<Point3>& points, int axis, double largest)
 {
   const double lastBit = std::ldexp(1.0, std::ilogb(largest) - (FLT_MANT_DIG - 1));
-  bool isNeeded = false;
-  for (const Point3& point : points)
-  {
-    if (static_cast<double>(static_cast<float>(point[axis])) != point[axis])
-    {
-      return false;
-    }
-    isNeeded = isNeeded || std::fmod(point[axis], 2.0 * lastBit) != 0.0;
-  }
-  return isNeeded;
+  return std::any_of(points.begin(), points.end(),
+    [&](const Point3& point) { return std::fmod(point[axis], 2.0 * lastBit) != 0.0; });
 }
 
 std::string shortNumber(double number)
@@ -65,16 +62,22 @@ void tellRounding(double precision, const SurfaceMesh& mesh, std::vector<std::st
     area += facetArea(points[facet[0]], points[facet[1]], points[facet[2]]);
   }
   const double spacing = std::sqrt(area / static_cast<double>(mesh.numberOfPoints()));
+  const std::array<double, 3> largest = { largestOf(mesh.points, 0), largestOf(mesh.points, 1),
+    largestOf(mesh.points, 2) };
+  const double farthest = *std::max_element(largest.begin(), largest.end());
+  double share = precision * farthest / spacing;
   bool isSingle = precision > DBL_EPSILON;
-  double share = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  if (!isSingle && FLT_EPSILON * farthest / spacing > mostRounding && areSingles(mesh.points))
   {
-    const double largest = largestOf(mesh.points, axis);
-    const double single = FLT_EPSILON * largest / spacing;
-    const bool wasSingle =
-      precision <= DBL_EPSILON && single > mostRounding && isOfSingles(mesh.points, axis, largest);
-    isSingle = isSingle || wasSingle;
-    share = std::max(share, wasSingle ? single : precision * largest / spacing);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double single = FLT_EPSILON * largest[axis] / spacing;
+      if (single > mostRounding && needLastBit(mesh.points, axis, largest[axis]))
+      {
+        isSingle = true;
+        share = std::max(share, single);
+      }
+    }
   }
   if (share > mostRounding)
   {
