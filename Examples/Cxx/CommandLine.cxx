@@ -164,8 +164,8 @@ std::string HelpText()
     "       remesh_surface INPUT... --output-pattern '{stem}-{points}.vtp' [options]\n"
     "       remesh_surface MESH --compare REFERENCE\n\n"
     "Remeshes a surface with a given number of points, adapted to its curvature.\n"
-    "Reads .vtp, .vtk, .ply, .stl, .obj, .off, .mesh, .vtu, .glb and .gltf, writes the first\n"
-    "seven; .gz may follow. '-' is standard input or output.\n";
+    "Reads .vtp, .vtk, .ply, .stl, .obj, .off, .mesh, .meshb, .vtu, .glb and .gltf, writes the\n"
+    "first eight; .gz may follow. '-' is standard input or output.\n";
   Options options;
   const OptionTable table(options);
   std::string group;

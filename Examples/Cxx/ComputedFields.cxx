@@ -1,8 +1,14 @@
 #include "ComputedFields.h"
 
 #include "CommandLine.h"
+#include "Failure.h"
+#include "InputBytes.h"
+#include "MeshWriter.h"
 #include "RemesherSetup.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkSolutionMetric.h>
 #include <vtkSpectralEmbedding.h>
 
@@ -83,4 +89,21 @@ Options WithComputedFields(const Options& options)
     changed.EmbeddingArray = "Embedding";
   }
   return changed;
+}
+
+std::string MetricNameFor(const Options& options)
+{
+  return WithComputedFields(options).Metric.empty() ? "" : SolutionNameFor(options.Output);
+}
+
+std::string MetricBytes(vtkPolyData* mesh, const Options& options)
+{
+  const Options computed = WithComputedFields(options);
+  vtkDataArray* metric = mesh->GetPointData()->GetArray(computed.Metric.c_str());
+  if (metric == nullptr)
+  {
+    throw Failure("the mesh has no point array '" + computed.Metric + "'");
+  }
+  return SolutionBytes(metric, computed.MetricOrder,
+    MeshFormatFor(LowerCaseExtension(MetricNameFor(options)), metric->GetNumberOfTuples()));
 }

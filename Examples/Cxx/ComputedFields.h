@@ -1,12 +1,15 @@
 /**
  * Arrays that are computed from the surface before it is remeshed: a metric for solutions, and
- * eigenfunctions.
+ * eigenfunctions. And the metric of the mesh that comes out.
  */
 #ifndef ComputedFields_h
 #define ComputedFields_h
 
 #include <vtkSmartPointer.h>
 
+#include <string>
+
+class vtkPolyData;
 class vtkSurfaceFieldAlgorithm;
 struct Options;
 
@@ -21,5 +24,11 @@ void CheckEmbeddings(const Options& options);
 
 /** The options that take the computed arrays for metric and embedding. */
 Options WithComputedFields(const Options& options);
+
+/** The file for the metric beside the mesh; "": none is asked for, or the format has none. */
+std::string MetricNameFor(const Options& options);
+
+/** The metric that the mesh was made in, at its points, for that file. Throws Failure. */
+std::string MetricBytes(vtkPolyData* mesh, const Options& options);
 
 #endif

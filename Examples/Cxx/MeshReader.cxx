@@ -2,7 +2,7 @@
 
 #include "Corners.h"
 #include "Failure.h"
-#include "TextLines.h"
+#include "MeshSections.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -11,118 +11,44 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <cmath>
 #include <limits>
-#include <string_view>
 #include <vector>
 
 namespace
 {
-/** Words and numbers, whatever the lines. */
-class Tokens
+int ReadDimension(MeshSections& file)
 {
-public:
-  Tokens(const std::string& text, const char* kind)
-    : Lines(text, TextLines::COMMENTS)
-    , Kind(kind)
-    , Most(static_cast<long long>(text.size()))
-  {
-  }
-
-  /** Empty at the end of the file. */
-  std::string_view Word()
-  {
-    for (;;)
-    {
-      const std::string_view word = this->Lines.Word();
-      if (!word.empty() || !this->Lines.Next())
-      {
-        return word;
-      }
-    }
-  }
-
-  /** The next word that is no number, which begins a section. */
-  std::string_view Keyword()
-  {
-    double number = 0.0;
-    std::string_view word = this->Word();
-    while (!word.empty() && ParseNumber(word, number))
-    {
-      word = this->Word();
-    }
-    return word;
-  }
-
-  double Number(const char* what)
-  {
-    double number = 0.0;
-    const std::string_view word = this->Word();
-    if (!ParseNumber(word, number) || !std::isfinite(number))
-    {
-      this->Malformed(word, what);
-    }
-    return number;
-  }
-
-  /** From `least` to `most`; below 0: no more than there are bytes. */
-  long long Integer(long long least, long long most, const char* what)
-  {
-    long long number = 0;
-    const std::string_view word = this->Word();
-    if (!ParseInteger(word, number) || number < least || number > (most < 0 ? this->Most : most))
-    {
-      this->Malformed(word, what);
-    }
-    return number;
-  }
-
-  [[noreturn]] void Malformed(std::string_view word, const std::string& what) const
-  {
-    const std::string file = std::string("malformed ") + this->Kind + " file, ";
-    throw Failure(word.empty() ? file + "it ends too early"
-                               : file + this->Lines.Where() + " has '" +
-          std::string(word.substr(0, 40)) + "' for " + what);
-  }
-
-private:
-  TextLines Lines;
-  const char* Kind;
-  long long Most;
-};
-
-int ReadDimension(Tokens& tokens)
-{
-  return static_cast<int>(tokens.Integer(2, 3, "the dimension, 2 or 3"));
+  return static_cast<int>(file.ShortInteger(2, 3, "the dimension, 2 or 3"));
 }
 
-void ReadVertices(Tokens& tokens, int dimension, CornerMesh& mesh)
+void ReadVertices(MeshSections& file, int dimension, CornerMesh& mesh)
 {
-  const long long count = tokens.Integer(0, -1, "the number of vertices");
+  const long long count = file.Count("the number of vertices");
   for (long long i = 0; i < count; ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      mesh.Points.push_back(c < dimension ? tokens.Number("a coordinate") : 0.0);
+      mesh.Points.push_back(c < dimension ? file.Number("a coordinate") : 0.0);
     }
-    tokens.Number("a reference");
+    file.Integer(
+      std::numeric_limits<long long>::min(), std::numeric_limits<long long>::max(), "a reference");
   }
 }
 
-void ReadFaces(Tokens& tokens, int size, CornerMesh& mesh, vtkIntArray* references)
+void ReadFaces(MeshSections& file, int size, CornerMesh& mesh, vtkIntArray* references)
 {
   const auto points = static_cast<long long>(mesh.Points.size() / 3);
-  const long long count = tokens.Integer(0, -1, "the number of faces");
+  const long long count = file.Count("the number of faces");
   for (long long i = 0; i < count; ++i)
   {
     for (int k = 0; k < size; ++k)
     {
       Corner corner;
-      corner.Point = tokens.Integer(1, points, "a corner") - 1;
+      corner.Point = file.Integer(1, points, "a corner") - 1;
       mesh.Corners.push_back(corner);
     }
     mesh.Offsets.push_back(static_cast<vtkIdType>(mesh.Corners.size()));
-    references->InsertNextValue(static_cast<int>(tokens.Integer(
+    references->InsertNextValue(static_cast<int>(file.Integer(
       std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), "a reference")));
   }
 }
@@ -140,31 +66,26 @@ std::vector<int> PlacesOf(int type, int dimension)
 }
 } // namespace
 
-vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& text)
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& bytes, const std::string& extension)
 {
-  Tokens tokens(text, ".mesh");
+  const auto file = OpenMeshSections(bytes, extension);
   CornerMesh mesh;
   vtkNew<vtkIntArray> references;
   references->SetName("Reference");
   int dimension = 3;
-  std::string word(tokens.Word());
-  if (word != "MeshVersionFormatted")
+  for (std::string name = file->Next(); !name.empty(); name = file->Next())
   {
-    tokens.Malformed(word, "its first word, which is 'MeshVersionFormatted' in text files");
-  }
-  for (; !word.empty() && word != "End"; word = std::string(tokens.Keyword()))
-  {
-    if (word == "Dimension")
+    if (name == "Dimension")
     {
-      dimension = ReadDimension(tokens);
+      dimension = ReadDimension(*file);
     }
-    else if (word == "Vertices")
+    else if (name == "Vertices")
     {
-      ReadVertices(tokens, dimension, mesh);
+      ReadVertices(*file, dimension, mesh);
     }
-    else if (word == "Triangles" || word == "Quadrilaterals")
+    else if (name == "Triangles" || name == "Quadrilaterals")
     {
-      ReadFaces(tokens, word == "Triangles" ? 3 : 4, mesh, references);
+      ReadFaces(*file, name == "Triangles" ? 3 : 4, mesh, references);
     }
   }
   auto surface = MakeSurface(mesh);
@@ -172,30 +93,29 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& text)
   return surface;
 }
 
-void AddSolutions(const std::string& text, vtkPolyData* surface)
+void AddSolutions(const std::string& bytes, const std::string& extension, vtkPolyData* surface)
 {
-  Tokens tokens(text, ".sol");
+  const auto file = OpenMeshSections(bytes, extension);
   int dimension = 3;
-  std::string word(tokens.Keyword());
-  for (; word != "SolAtVertices"; word = std::string(tokens.Keyword()))
+  for (std::string name = file->Next(); name != "SolAtVertices"; name = file->Next())
   {
-    if (word.empty() || word == "End")
+    if (name.empty())
     {
-      throw Failure("the .sol file beside it has no solution at the vertices");
+      throw Failure("the " + extension + " file beside it has no solution at the vertices");
     }
-    if (word == "Dimension")
+    if (name == "Dimension")
     {
-      dimension = ReadDimension(tokens);
+      dimension = ReadDimension(*file);
     }
   }
   const vtkIdType points = surface->GetNumberOfPoints();
-  tokens.Integer(points, points, "the number of vertices, not that of the mesh");
-  const auto count = static_cast<int>(tokens.Integer(1, 100, "the number of solutions"));
+  file->Integer(points, points, "the number of vertices, not that of the mesh");
+  const auto count = static_cast<int>(file->ShortInteger(1, 100, "the number of solutions"));
   std::vector<vtkSmartPointer<vtkDoubleArray>> arrays;
   std::vector<std::vector<int>> places;
   for (int k = 0; k < count; ++k)
   {
-    places.push_back(PlacesOf(static_cast<int>(tokens.Integer(1, 3, "a type")), dimension));
+    places.push_back(PlacesOf(static_cast<int>(file->ShortInteger(1, 3, "a type")), dimension));
     arrays.push_back(vtkSmartPointer<vtkDoubleArray>::New());
     arrays[k]->SetName(k == 0 ? "Metric" : ("Solution" + std::to_string(k)).c_str());
     arrays[k]->SetNumberOfComponents(static_cast<int>(places[k].size()));
@@ -208,7 +128,7 @@ void AddSolutions(const std::string& text, vtkPolyData* surface)
     {
       for (const int place : places[k])
       {
-        arrays[k]->SetComponent(i, place, tokens.Number("a number"));
+        arrays[k]->SetComponent(i, place, file->Number("a number"));
       }
     }
   }

@@ -1,9 +1,9 @@
 /**
- * .mesh files of Medit, mmg and others, as text, in double precision, and the .sol files beside
- * them.
+ * .mesh and .meshb files of Medit, mmg and others, in double precision, and the .sol and .solb
+ * files beside them.
  *
- * Own code: VTK has no reader. Triangles and quadrilaterals are read, with their references as the
- * cell array Reference; all else, such as edges, required parts and tetrahedra, is left out.
+ * Triangles and quadrilaterals are read, with their references as the cell array Reference; all
+ * else, such as edges, required parts and tetrahedra, is left out.
  */
 #ifndef MeshReader_h
 #define MeshReader_h
@@ -14,14 +14,14 @@
 
 class vtkPolyData;
 
-/** Throws Failure for a file that is not complete. */
-vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& text);
+/** `extension`: ".mesh" or ".meshb". Throws Failure for a file that is not complete. */
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& bytes, const std::string& extension);
 
 /**
- * Adds what a .sol file has for the points: the first as the array Metric, further ones as
+ * Adds what a .sol or .solb file has for the points: the first as the array Metric, further ones as
  * Solution1, Solution2 and so on. Tensors get VTK's order, XX YY ZZ XY YZ XZ or XX YY XY. Throws
  * Failure for a file that is not complete, or not for so many points.
  */
-void AddSolutions(const std::string& text, vtkPolyData* surface);
+void AddSolutions(const std::string& bytes, const std::string& extension, vtkPolyData* surface);
 
 #endif

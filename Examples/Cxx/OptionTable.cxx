@@ -252,7 +252,8 @@ void OptionTable::AddEmbedding()
     Text(&Options::EmbeddingArray));
   this->Add("--metric", "ARRAY",
     "Point array of tensors (9, 6 or 3 components) or sizes (1): edges get the lengths that this "
-    "metric asks for, all times one number. It replaces position and normal.",
+    "metric asks for, all times one number. It replaces position and normal. "
+    "A .mesh gets it as a .sol beside it.",
     Text(&Options::Metric));
   this->AddChoice("--metric-order", "O", &Options::MetricOrder, { "vtk", "rows", "sol" },
     "What 6 components of a metric are: 'vtk': XX YY ZZ XY YZ XZ; 'rows': XX XY XZ YY YZ ZZ; "
@@ -347,9 +348,9 @@ void OptionTable::AddFiles()
     "without folder and extension; also {points}, {anisotropy}, {tolerance} and {seed}.",
     Text(&Options::OutputPattern));
   this->AddChoice("-f,--format", "EXT", &Options::Format,
-    { "vtp", "vtk", "ply", "stl", "obj", "off" },
-    "Format of standard output and of files in a folder: vtp, vtk, ply, stl, obj or off. Default: "
-    "that of the input, vtp where that cannot be written.");
+    { "vtp", "vtk", "ply", "stl", "obj", "off", "mesh", "meshb" },
+    "Format of standard output and of files in a folder: vtp, vtk, ply, stl, obj, off, mesh or "
+    "meshb. Default: that of the input, vtp where that cannot be written.");
   this->AddFile("--cells", "F.vtp", &Options::Cells, "Write the restricted Voronoi cells.");
   this->AddFile("--sites", "F.vtp", &Options::Sites, "Write the sites.");
   this->AddFile("--edges", "F.vtp", &Options::Edges,

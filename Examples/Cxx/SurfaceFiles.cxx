@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "InputBytes.h"
 #include "MeshReader.h"
+#include "MeshSections.h"
 #include "Messages.h"
 #include "ObjReader.h"
 #include "OffReader.h"
@@ -49,6 +50,7 @@ std::string ExtensionOf(const std::string& bytes)
     : start.rfind("# vtk DataFile", 0) == 0                         ? ".vtk"
     : word.size() <= 6 && !word.empty() && has("OFF")               ? ".off"
     : word == "meshversionformatted"                                ? ".mesh"
+    : IsBinaryMesh(bytes)                                           ? ".meshb"
     : word == "solid"                                               ? ".stl"
     : word == "v" || word == "#" || word == "o" || word == "mtllib" ? ".obj"
                                                                     : "";
@@ -174,15 +176,14 @@ vtkSmartPointer<vtkPolyData> Source::ReadGltf()
   return append->GetOutput();
 }
 
-/** The mesh, with the .sol file of its name, if there is one beside it. */
+/** The mesh, with the solutions beside it, if there are any. */
 vtkSmartPointer<vtkPolyData> Source::ReadMeshAndSolution()
 {
-  auto surface = ReadMesh(this->Bytes);
-  const std::string plain = WithoutGz(this->Path);
-  const std::string solution = plain.substr(0, plain.size() - 5) + ".sol";
-  if (this->Path != "-" && std::ifstream(solution).good())
+  auto surface = ReadMesh(this->Bytes, this->Extension);
+  const std::string solution = SolutionFileOf(this->Path);
+  if (!solution.empty())
   {
-    AddSolutions(ReadBytes(solution), surface);
+    AddSolutions(ReadBytes(solution), LowerCaseExtension(solution), surface);
   }
   return surface;
 }
@@ -212,7 +213,7 @@ vtkSmartPointer<vtkPolyData> Source::Read()
     }
     return surface;
   }
-  if (extension == ".mesh")
+  if (extension == ".mesh" || extension == ".meshb")
   {
     return this->ReadMeshAndSolution();
   }
@@ -269,6 +270,22 @@ vtkSmartPointer<vtkPoints> MergePoints(vtkPolyData* surface)
 }
 } // namespace
 
+std::string SolutionFileOf(const std::string& path)
+{
+  const std::string extension = LowerCaseExtension(path);
+  if (extension != ".mesh" && extension != ".meshb")
+  {
+    return "";
+  }
+  const std::string plain = WithoutGz(path);
+  const std::string stem = plain.substr(0, plain.size() - extension.size());
+  const std::string own = extension == ".mesh" ? ".sol" : ".solb";
+  const std::string other = extension == ".mesh" ? ".solb" : ".sol";
+  return std::ifstream(stem + own).good() ? stem + own
+    : std::ifstream(stem + other).good()  ? stem + other
+                                          : "";
+}
+
 std::string ExtensionFault(const std::string& path, const std::vector<std::string>& known)
 {
   if (path == "-" || std::find(known.begin(), known.end(), LowerCaseExtension(path)) != known.end())
@@ -290,8 +307,9 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
 {
   try
   {
-    const std::string fault = ExtensionFault(
-      path, { ".vtp", ".vtk", ".ply", ".stl", ".obj", ".off", ".mesh", ".vtu", ".glb", ".gltf" });
+    const std::string fault = ExtensionFault(path,
+      { ".vtp", ".vtk", ".ply", ".stl", ".obj", ".off", ".mesh", ".meshb", ".vtu", ".glb",
+        ".gltf" });
     if (!fault.empty())
     {
       ReadBytes(path); // a file that is not there has its own sentence

@@ -18,6 +18,12 @@ class ProgressBar;
 class vtkPolyData;
 
 /**
+ * The .sol or .solb that a .mesh or .meshb is read with, that of its own kind first; "": there is
+ * none beside it.
+ */
+std::string SolutionFileOf(const std::string& path);
+
+/**
  * "must end in .a, .b or .c", with ".gz" allowed behind, unless the name does; else empty. "-" has
  * no extension to check.
  */

@@ -2,15 +2,14 @@
 
 #include "Failure.h"
 #include "InputBytes.h"
+#include "MeshWriter.h"
 #include "Messages.h"
 #include "OutputFiles.h"
 #include "ProgressBar.h"
 #include "VtpWriter.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkErrorCode.h>
-#include <vtkIntArray.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -24,7 +23,7 @@
 #include <cstring>
 
 const std::vector<std::string> writableExtensions = { ".vtp", ".vtk", ".ply", ".stl", ".obj",
-  ".off", ".mesh" };
+  ".off", ".mesh", ".meshb" };
 const std::vector<std::string> arrayExtensions = { ".vtp", ".vtk" };
 
 namespace
@@ -173,35 +172,6 @@ std::string PolygonText(vtkPolyData* surface, bool isObj)
   return text;
 }
 
-/** Medit's .mesh: triangles with the whole numbers of the cell array Reference, or 0. */
-std::string MeshText(vtkPolyData* surface)
-{
-  std::string text = "MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n" +
-    std::to_string(surface->GetNumberOfPoints()) + '\n';
-  char line[96];
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double x[3];
-    surface->GetPoint(i, x);
-    std::snprintf(line, sizeof(line), "%.17g %.17g %.17g 0\n", x[0], x[1], x[2]);
-    text += line;
-  }
-  text += "\nTriangles\n" + std::to_string(surface->GetNumberOfPolys()) + '\n';
-  auto* references = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("Reference"));
-  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  ForEachPolygon(surface,
-    [&](vtkIdType size, const vtkIdType* ids)
-    {
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        text += std::to_string(ids[i] + 1) + ' ';
-      }
-      text += std::to_string(references != nullptr ? references->GetValue(cell) : 0) + '\n';
-      ++cell;
-    });
-  return text + "\nEnd\n";
-}
-
 void WriteVtk(vtkPolyData* surface, const std::string& path, Messages* messages)
 {
   vtkNew<vtkPolyDataWriter> writer; // which finds out when it cannot write
@@ -242,13 +212,17 @@ void WriteSurface(vtkPolyData* surface, const std::string& path, const std::stri
   {
     WriteVtk(surface, temporary, messages);
   }
+  else if (extension == ".mesh" || extension == ".meshb")
+  {
+    const vtkIdType rows = surface->GetNumberOfPoints() + surface->GetNumberOfPolys();
+    WriteBytes(temporary, MeshBytes(surface, MeshFormatFor(extension, rows)));
+  }
   else
   {
     WriteBytes(temporary,
-      extension == ".ply"      ? PlyBytes(surface, CountTurned(surface) > 0)
-        : extension == ".stl"  ? StlBytesOrWarning(surface, path, messages)
-        : extension == ".mesh" ? MeshText(surface)
-                               : PolygonText(surface, extension == ".obj"));
+      extension == ".ply"     ? PlyBytes(surface, CountTurned(surface) > 0)
+        : extension == ".stl" ? StlBytesOrWarning(surface, path, messages)
+                              : PolygonText(surface, extension == ".obj"));
   }
   if (WithoutGz(path) != path)
   {

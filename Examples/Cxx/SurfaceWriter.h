@@ -1,7 +1,7 @@
 /**
  * Surfaces out, the format given by the file's extension: VTP (binary, compressed) and VTK (binary)
  * with all arrays in their own precision; PLY and STL (binary), OBJ and OFF with the geometry
- * alone; .mesh (text) with the cell array Reference.
+ * alone; .mesh (text) and .meshb (binary) with the cell array Reference.
  */
 #ifndef SurfaceWriter_h
 #define SurfaceWriter_h

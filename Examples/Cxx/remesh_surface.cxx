@@ -238,6 +238,9 @@ std::vector<Output> ListOutputs(Run& run)
   };
   const Options& options = run.Parameters;
   addSurface(options.Output, run.Remesher, vtkAnisotropicRemesher::SURFACE);
+  add(MetricNameFor(options),
+    [&run](const std::string& temporary)
+    { WriteBytes(temporary, MetricBytes(run.Remesher->GetOutput(), run.Parameters)); });
   addSurface(options.Cells, run.Remesher, vtkAnisotropicRemesher::VORONOI_CELLS);
   addSurface(options.Sites, run.Remesher, vtkAnisotropicRemesher::SITES);
   addSurface(options.Edges, run.Remesher, vtkAnisotropicRemesher::EDGES);
@@ -277,6 +280,7 @@ void Announce(const std::vector<Output>& outputs, OutputFiles& files, const Opti
   for (const std::string& input : options.Files)
   {
     files.Protect(input);
+    files.Protect(SolutionFileOf(input));
   }
   files.Protect(options.InitialSites);
   files.Protect(options.Compare);

@@ -20,7 +20,7 @@ class TestUsage(CommandLineTest):
             ("needs an input file and an output file", []),
             ("needs an input file and an output file", files[:1]),
             ("'third.vtp' is too much", files + ["third.vtp"]),
-            ("'out.xyz' must end in .vtp, .*or .mesh", files[:1] + ["out.xyz"]),
+            ("'out.xyz' must end in .vtp, .*or .meshb", files[:1] + ["out.xyz"]),
             ("'c.ply' must end in .vtp or .vtk", files + ["--cells", "c.ply"]),
             ("unknown option '--foo' \\(see", files + ["--foo"]),
             ("unknown option '-x'", files + ["-x"]),

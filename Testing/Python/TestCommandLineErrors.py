@@ -23,7 +23,7 @@ class TestCannot(CommandLineTest):
             ("No such file", self.input("missing.ply")),
             ("is a directory", self.inputs),
             ("is empty", self.save("empty.ply", b"")),
-            ("must end in .vtp, .vtk, .ply, .stl, .obj, .off, .mesh, .vtu, .glb or .gltf",
+            ("must end in .vtp, .vtk, .ply, .stl, .obj, .off, .mesh, .meshb, .vtu, .glb or .gltf",
              self.save("sphere.xyz", surface)),
             ("has no polygons", self.save("points.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n")),
         ]
