@@ -92,6 +92,20 @@ void measureWideRun(Workshop& workshop, CaseResult& result)
   one.figures = wideRun(wide, workshop.settings());
   result.measurements.push_back(one);
 }
+
+Case metricCase(const char* name, double surfacePoints)
+{
+  return { std::string("metric-") + name, "the embedding of a metric, and remeshing in it",
+    [=](Workshop& workshop, CaseResult& result)
+    {
+      const MetricRun metric = { static_cast<int>(workshop.shrunk(surfacePoints)),
+        static_cast<int>(workshop.shrunk(1e4)) };
+      const Surface surface = torusWithMetric(metric.surfacePoints);
+      Measurement one = described(surface, metric.points, workshop.settings());
+      one.figures = metricRun(metric, workshop.settings());
+      result.measurements.push_back(one);
+    } };
+}
 }
 
 const Surface& Workshop::fine()
@@ -137,6 +151,8 @@ const std::vector<Case>& allCases()
     { "exact-86k-10k", "what exact decisions cost over their filters alone", measureExactness },
     { "shell-40k-100", "the filter on two sheets, far closer than the points", measureShell },
     { "wide-100k-1k", "the filter in 5000 dimensions", measureWideRun },
+    metricCase("200k-10k", 1e5),
+    metricCase("2M-10k", 1e6),
     { "scaling-size", "over triangles m and points n: the fit a m + b n", scaleSize },
     { "scaling-ratio", "over a factor of 100 at fixed m / n: the exponent", scaleRatio },
     { "scaling-dimension", "over d from 3 to 1000", scaleDimension },

@@ -135,6 +135,11 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments, const Se
       line.wide.points = words.countOf(option, 1, 1000000000);
       line.wide.dimension = words.countOf(option, 4, 1000000);
     }
+    else if (option == "--metric-run")
+    {
+      line.metric.surfacePoints = words.countOf(option, 1, 1000000000);
+      line.metric.points = words.countOf(option, 1, 1000000000);
+    }
     else
     {
       parseSetting(option, words, line.settings);

@@ -38,6 +38,13 @@ struct WideRun
   int dimension = 0; ///< more than 3
 };
 
+/** An embedding of a metric. */
+struct MetricRun
+{
+  int surfacePoints = 0; ///< about; 0: no run
+  int points = 0;        ///< of the mesh that it is for
+};
+
 struct Figure
 {
   std::string name;

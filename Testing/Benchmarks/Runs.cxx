@@ -7,6 +7,7 @@
 #include "Optimization/Sampling.h"
 #include "Run/FirstSites.h"
 #include "vtkAnisotropicRemesher.h"
+#include "vtkMetricEmbedding.h"
 
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -211,6 +212,56 @@ Figures wideRun(const WideRun& wide, const Settings& settings)
   figures.push_back({ "memory", cost.megabytes, "MB" });
   figures.push_back({ "memory_multiple", cost.megabytes / embedding, "1" });
   return figures;
+}
+
+namespace
+{
+/** The surface with the point array Embedding. */
+vtkSmartPointer<vtkPolyData> embeddedInMetric(
+  vtkPolyData* surface, Offset points, const Settings& settings)
+{
+  vtkNew<vtkMetricEmbedding> embedding;
+  embedding->SetInputData(surface);
+  embedding->SetMetricArray("Metric");
+  embedding->SetNumberOfPoints(points);
+  embedding->SetNumberOfThreads(settings.threads);
+  embedding->Update();
+  if (!embedding->GetOutput()->GetPointData()->GetArray("Embedding"))
+  {
+    throw std::runtime_error("the metric was not embedded");
+  }
+  return embedding->GetOutput();
+}
+}
+
+void runMetric(const MetricRun& metric, const Settings& settings)
+{
+  embeddedInMetric(torusWithMetric(metric.surfacePoints).data, metric.points, settings);
+}
+
+Figures metricRun(const MetricRun& metric, const Settings& settings)
+{
+  const Surface surface = torusWithMetric(metric.surfacePoints);
+  const std::vector<std::string> command = { settings.self, "--threads",
+    std::to_string(settings.threads), "--metric-run", std::to_string(metric.surfacePoints),
+    std::to_string(metric.points) };
+  return repeated(settings,
+    [&]()
+    {
+      vtkSmartPointer<vtkPolyData> embedded;
+      const Elapsed embedding =
+        timed([&]() { embedded = embeddedInMetric(surface.data, metric.points, settings); });
+      vtkNew<vtkAnisotropicRemesher> remesher;
+      remesher->SetEmbeddingArray("Embedding");
+      const Elapsed remeshing =
+        timed([&]() { runFilter(remesher, embedded, metric.points, settings); });
+      Figures figures;
+      addTimes(figures, "", embedding);
+      addTimes(figures, "remeshing", remeshing);
+      figures.push_back({ "over_remeshing", embedding.processor / remeshing.processor, "1" });
+      figures.push_back({ "memory", costOf(settings.self, command).megabytes, "MB" });
+      return figures;
+    });
 }
 
 Figures programRun(const Surface& surface, Offset points, const std::vector<std::string>& options,

@@ -38,6 +38,16 @@ Figures wideRun(const WideRun& wide, const Settings& settings);
 void runWide(const WideRun& wide, const Settings& settings);
 
 /**
+ * The embedding of the metric of torusWithMetric(): `processor`, `wall`, and the peak `memory` of a
+ * process of its own that does it; those times of a default run in it, `remeshing`; and the
+ * processor seconds of the embedding as a multiple of this one's, `over_remeshing`.
+ */
+Figures metricRun(const MetricRun& metric, const Settings& settings);
+
+/** The work of that process: the surface, and its embedding. */
+void runMetric(const MetricRun& metric, const Settings& settings);
+
+/**
  * What exact decisions cost over their floating-point filters alone (`exactness`, %) in a diagram
  * of relaxed sites, and what that takes (`processor`). Evaluations leave all but a few facets to
  * arithmetic that refuses what is too close, and these to the same decisions.

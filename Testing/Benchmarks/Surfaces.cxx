@@ -8,7 +8,10 @@
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
 #include <vtkPLYWriter.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
@@ -49,12 +52,20 @@ double tubeRadius(double u, double v)
       0.02 * std::sin(19.0 * u + 11.0 * v + 2.0));
 }
 
+/** Of a torus without waves. */
+double plainRadius(double, double)
+{
+  return 0.4;
+}
+
 /**
- * Bumpy toruses inside each other, of about so many triangles each.
+ * Toruses inside each other, of about so many triangles each.
  *
  * @param factors of their tubes' radii; where one is negative, the inside is the front.
+ * @param radius of the tube at the angles around the ring and around the tube.
  */
-vtkSmartPointer<vtkPolyData> torusOf(double triangles, const std::vector<double>& factors)
+vtkSmartPointer<vtkPolyData> torusOf(
+  double triangles, const std::vector<double>& factors, double (*radius)(double, double))
 {
   // nu x nv squares of two triangles each, twice as many around as across.
   const int nv = std::max(8, static_cast<int>(std::lround(std::sqrt(0.25 * triangles))));
@@ -71,7 +82,7 @@ vtkSmartPointer<vtkPolyData> torusOf(double triangles, const std::vector<double>
       {
         const double u = 2.0 * pi * i / nu;
         const double v = 2.0 * pi * j / nv;
-        const double r = std::abs(factor) * tubeRadius(u, v);
+        const double r = std::abs(factor) * radius(u, v);
         const double ring = 1.0 + r * std::cos(v);
         points->InsertNextPoint(ring * std::cos(u), ring * std::sin(u), r * std::sin(v));
         const int beside = factor < 0.0 ? j : j + 1;
@@ -85,6 +96,22 @@ vtkSmartPointer<vtkPolyData> torusOf(double triangles, const std::vector<double>
   data->SetPoints(points);
   data->SetPolys(cells);
   return data;
+}
+
+/** The metric of torusWithMetric() at a point of the plain torus. */
+Eigen::Matrix3d gradedMetric(const Eigen::Vector3d& point)
+{
+  constexpr double ratio = 3.0;
+  const double u = std::atan2(point[1], point[0]);
+  const Eigen::Vector3d ring(std::cos(u), std::sin(u), 0.0);
+  const Eigen::Vector3d around(-std::sin(u), std::cos(u), 0.0);
+  const Eigen::Vector3d normal = (point - ring).normalized();
+  const double v = std::atan2(normal[2], normal.dot(ring));
+  const Eigen::Vector3d across =
+    std::cos(3.0 * u) * around + std::sin(3.0 * u) * normal.cross(around);
+  const double density = 1.0 + 0.7 * std::sin(2.0 * u + v);
+  return density * density *
+    (Eigen::Matrix3d::Identity() + (ratio * ratio - 1.0) * across * across.transpose());
 }
 }
 
@@ -107,12 +134,28 @@ Surface scan(const std::string& folder)
 
 Surface bumpyTorus(double triangles)
 {
-  return { "bumpy torus", torusOf(triangles, { 1.0 }), "" };
+  return { "bumpy torus", torusOf(triangles, { 1.0 }, tubeRadius), "" };
 }
 
 Surface thinShell(double triangles)
 {
-  return { "thin shell", torusOf(0.5 * triangles, { 1.0, -0.99 }), "" };
+  return { "thin shell", torusOf(0.5 * triangles, { 1.0, -0.99 }, tubeRadius), "" };
+}
+
+Surface torusWithMetric(double points)
+{
+  const Surface surface = { "torus", torusOf(2.0 * points, { 1.0 }, plainRadius), "" };
+  vtkNew<vtkDoubleArray> metric;
+  metric->SetName("Metric");
+  metric->SetNumberOfComponents(6);
+  for (vtkIdType k = 0; k < surface.data->GetNumberOfPoints(); ++k)
+  {
+    const Eigen::Matrix3d m =
+      gradedMetric(Eigen::Map<const Eigen::Vector3d>(surface.data->GetPoint(k)));
+    metric->InsertNextTuple6(m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2));
+  }
+  surface.data->GetPointData()->AddArray(metric);
+  return surface;
 }
 
 Surface subdivided(const Surface& surface)

@@ -34,6 +34,13 @@ Surface bumpyTorus(double triangles);
 /** Two of them, the inner one turned over, closer to each other than the points of a mesh. */
 Surface thinShell(double triangles);
 
+/**
+ * A plain torus of about this many points. Its point array Metric (6 components, VTK's order) wants
+ * edges three times as long along one direction as across it, which turns three times on the way
+ * around, and sizes that differ by 5.7.
+ */
+Surface torusWithMetric(double points);
+
 /** Each triangle cut into 16: Loop's scheme, twice. */
 Surface subdivided(const Surface& surface);
 

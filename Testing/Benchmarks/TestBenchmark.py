@@ -63,6 +63,12 @@ def check_measurement(case, one):
         check(5.0 < figures["memory"]["value"] < 1000.0, *where, figures["memory"])
     if case["name"].startswith("wide-"):
         check(figures["memory_multiple"]["value"] > 1.0 and one["dimension"] == 5000, *where)
+    if case["name"].startswith("metric-"):
+        ratio = figures["processor"]["value"] / figures["remeshing_processor"]["value"]
+        check(abs(figures["over_remeshing"]["value"] - ratio) <= 1e-9 * ratio, *where, ratio)
+        check(figures["wall"]["value"] > 0.0 and figures["remeshing_wall"]["value"] > 0.0, *where)
+        check(5.0 < figures["memory"]["value"] < 1000.0, *where, figures["memory"])
+        check(one["surface"] == "torus", *where, one["surface"])
     if case["name"].startswith("exact-"):
         check(figures["processor"]["value"] > 0.0, *where, figures)
         check(-90.0 < figures["exactness"]["value"] < 900.0, *where, figures)
@@ -101,6 +107,10 @@ def check_result(result, names):
     check(dimensions == [3, 6, 8, 10, 17, 100, 1000], dimensions)
     check(set(cases["scaling-size"]["figures"]) == {"per_triangle", "per_point", "deviation"})
     check_exponent(cases["scaling-ratio"])
+    # Two triangles for each point of the torus, at both sizes.
+    sizes = [cases[name]["measurements"][0]["triangles"] for name in ("metric-200k-10k",
+                                                                      "metric-2M-10k")]
+    check(all(0.9 < size / asked < 1.1 for size, asked in zip(sizes, (2e3, 2e4))), sizes)
     speedups = cases["scaling-threads"]["figures"]
     check(speedups and all(figure["value"] == 1.0 if name.endswith("_1") else figure["value"] > 0.0
                            for name, figure in speedups.items()), speedups)

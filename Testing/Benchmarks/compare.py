@@ -164,7 +164,7 @@ def markdown(path):
     lines = ["| | triangles | points | processor s | ratio | |", "|---|--:|--:|--:|--:|---|"]
     for case in result["cases"]:
         kind = case["name"].split("-")[0]
-        if kind in ("evaluation", "plain", "run", "wide"):
+        if kind in ("evaluation", "plain", "run", "wide", "metric"):
             lines += [row(kind, one) for one in case["measurements"]]
     calibration = result["calibration"]
     lines += ["", f"Ratio: to vtkQuadricDecimation of {calibration['surface']} "

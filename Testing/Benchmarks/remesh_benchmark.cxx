@@ -143,6 +143,10 @@ int run(const char* self, const std::vector<std::string>& arguments)
   {
     runWide(line.wide, line.settings);
   }
+  else if (line.metric.surfacePoints > 0)
+  {
+    runMetric(line.metric, line.settings);
+  }
   else if (line.help)
   {
     std::cout << helpText(defaults);
