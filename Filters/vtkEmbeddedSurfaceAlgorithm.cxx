@@ -115,7 +115,7 @@ remesh::Status vtkEmbeddedSurfaceAlgorithm::CheckParameters()
     .within("NormalSmoothingRadius", this->NormalSmoothingRadius, -1.0, VTK_DOUBLE_MAX)
     .within("MergeTolerance", this->MergeTolerance, 0.0, 0.1)
     .within("MetricOrder", this->MetricOrder, METRIC_VTK, METRIC_SOL)
-    .within("MetricDimension", this->MetricDimension, 3, remesh::mostEmbeddingDimensions)
+    .within("MetricDimension", this->MetricDimension, 3, remesh::maxEmbeddingDimensions)
     .within("MetricGrowth", this->MetricGrowth, 1.01, 1000.0)
     .within("NumberOfThreads", this->NumberOfThreads, 0, 1024)
     .within("SMPBackend", this->SMPBackend, SMP_AUTOMATIC, SMP_TBB);

@@ -25,7 +25,7 @@ remesh::Status vtkMetricEmbedding::CheckParameters()
   check.within("MetricOrder", this->MetricOrder, METRIC_VTK, METRIC_SOL)
     .within("NumberOfPoints", this->NumberOfPoints, 1, VTK_ID_MAX)
     .within("MetricComplexity", this->MetricComplexity, 0.0, VTK_DOUBLE_MAX)
-    .within("Dimension", this->Dimension, 3, remesh::mostEmbeddingDimensions)
+    .within("Dimension", this->Dimension, 3, remesh::maxEmbeddingDimensions)
     .within("MetricGrowth", this->MetricGrowth, 1.01, 1000.0)
     .within("NumberOfIterations", this->NumberOfIterations, 0, 100000)
     .within("EnergyTolerance", this->EnergyTolerance, 0.0, 1.0);

@@ -245,7 +245,7 @@ void vtkRestrictedVoronoiAlgorithm::CompleteRequest(
   request.preparation.mayLend = true;
   request.preparation.mayRefine = true;
   // Only the cells show the coordinates.
-  request.preparation.mostKeptDimensions =
+  request.preparation.maxKeptDimensions =
     this->GenerateVoronoiCells ? this->MaximumCellEmbeddingDimension : 0;
 }
 

@@ -49,8 +49,8 @@ namespace
 void AdviseLargePages(void* memory, std::size_t size)
 {
   constexpr std::size_t smallPage = 1U << 12U;
-  constexpr std::size_t leastSize = 1U << 22U; // two large pages
-  if (size < leastSize)
+  constexpr std::size_t minSize = 1U << 22U; // two large pages
+  if (size < minSize)
   {
     return;
   }

@@ -113,19 +113,19 @@ void addTopology(const MeshTopology& topology, const std::string& prefix, const 
 
 void addQualities(const std::vector<TriangleQuality>& qualities, const Row& row)
 {
-  double least = 1.0, sum = 0.0, leastAngle = 60.0, angleSum = 0.0, largestEdgeRatio = 1.0;
+  double least = 1.0, sum = 0.0, minAngle = 60.0, angleSum = 0.0, largestEdgeRatio = 1.0;
   for (const TriangleQuality& each : qualities)
   {
     least = std::min(least, each.quality());
     sum += each.quality();
-    leastAngle = std::min(leastAngle, each.minimumAngle);
+    minAngle = std::min(minAngle, each.minimumAngle);
     angleSum += each.minimumAngle;
     largestEdgeRatio = std::max(largestEdgeRatio, each.edgeRatio);
   }
   const auto count = static_cast<double>(qualities.size());
   row.number("MinimumQuality", least);
   row.number("MeanQuality", sum / count);
-  row.number("LeastMinimumAngle", leastAngle);
+  row.number("LeastMinimumAngle", minAngle);
   row.number("MeanMinimumAngle", angleSum / count);
   row.number("MaximumEdgeRatio", largestEdgeRatio);
 }

@@ -101,8 +101,8 @@ Status readMetricToMeet(
     return status;
   }
   MetricField field;
-  Status status = readMetric(
-    surface.mesh, *lentArray(array), order, surface.input->GetNumberOfPoints(), field);
+  Status status =
+    readMetric(surface.mesh, *lentArray(array), order, surface.input->GetNumberOfPoints(), field);
   for (const Eigen::Matrix3d& tensor : field.tensors)
   {
     tensors.push_back(symmetricOf(tensor));
@@ -146,11 +146,10 @@ void warn(const SolutionMetricOptions& options, const SolutionMetric& metric,
   {
     text << "The solutions do not bend anywhere: they ask for no points.";
   }
-  else if (metric.fewestPoints >= options.numberOfPoints)
+  else if (metric.minPoints >= options.numberOfPoints)
   {
     text << "Largest size, curvature, metrics and distance ask for "
-         << std::llround(metric.fewestPoints) << " points, of "
-         << std::llround(options.numberOfPoints)
+         << std::llround(metric.minPoints) << " points, of " << std::llround(options.numberOfPoints)
          << " that all may ask for: the solutions get none. More points, or larger sizes, help.";
   }
   else if (metric.points < missing * options.numberOfPoints)

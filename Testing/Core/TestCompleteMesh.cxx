@@ -59,7 +59,7 @@ void testFallsApart()
   options.numberOfSites = 400;
   for (const double most : { 0.99, 1.0 })
   {
-    options.mostComponents = most;
+    options.maxComponents = most;
     RemeshResult result;
     CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
     CHECK_EQUAL(result.fallsApart, most < 1.0);

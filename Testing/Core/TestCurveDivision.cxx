@@ -63,12 +63,12 @@ DivisionRule ruleOf(double spacing)
   return rule;
 }
 
-double leastOf(const std::vector<double>& values)
+double minOf(const std::vector<double>& values)
 {
   return *std::min_element(values.begin(), values.end());
 }
 
-double mostOf(const std::vector<double>& values)
+double maxOf(const std::vector<double>& values)
 {
   return *std::max_element(values.begin(), values.end());
 }
@@ -85,7 +85,7 @@ void testStraight()
   for (const double spacing : { 0.04, 0.3, 0.7, 1.4, 50.0 })
   {
     const std::vector<double> gaps = gapsOf(course, ruleOf(spacing));
-    CHECK_NEAR(leastOf(gaps), mostOf(gaps), 1e-9);
+    CHECK_NEAR(minOf(gaps), maxOf(gaps), 1e-9);
     CHECK(gaps.size() == 1 || gaps[0] > spacing / std::sqrt(2.0) - 1e-9);
     CHECK(gaps[0] < spacing * std::sqrt(2.0) + 1e-9);
   }
@@ -99,13 +99,13 @@ void testCircle()
   {
     const std::vector<double> gaps = gapsOf(course, ruleOf(spacing));
     CHECK_EQUAL(gaps.size(), std::size_t(16)); // of 22.5 degrees
-    CHECK_NEAR(leastOf(gaps), mostOf(gaps), 1e-3);
+    CHECK_NEAR(minOf(gaps), maxOf(gaps), 1e-3);
   }
   CHECK_EQUAL(gapsOf(course, ruleOf(2.0 * pi / 40.0)).size(), std::size_t(50));
   DivisionRule rule = ruleOf(10.0);
-  rule.mostTurn = 1.2;
+  rule.maxTurn = 1.2;
   CHECK_EQUAL(gapsOf(course, rule).size(), std::size_t(6));
-  rule.mostError = 1e-3; // that of 71 chords
+  rule.maxError = 1e-3; // that of 71 chords
   const std::size_t chords = gapsOf(course, rule).size();
   CHECK(chords >= 70 && chords <= 73);
 }
@@ -123,9 +123,9 @@ void testBend()
   points.emplace_back(radius, 10.0, 0.0);
   const Course course = courseThrough(points);
   const std::vector<double> gaps = gapsOf(course, ruleOf(1.0));
-  CHECK(leastOf(gaps) > 0.12 * pi * radius / 2.0);
-  CHECK(leastOf(gaps) < 0.42 * radius);
-  CHECK(mostOf(gaps) > 0.8);
+  CHECK(minOf(gaps) > 0.12 * pi * radius / 2.0);
+  CHECK(minOf(gaps) < 0.42 * radius);
+  CHECK(maxOf(gaps) > 0.8);
   CHECK(gaps.size() < 50); // 20 of the spacing, some in the bend, and what is between on both sides
   for (std::size_t k = 1; k < gaps.size(); ++k)
   {
@@ -141,7 +141,7 @@ void testKinks()
   const std::vector<Station> places = divideCurve(course, ruleOf(1.0));
   CHECK(std::count(places.begin(), places.end(), Station{ 1, 0.0 }) == 1);
   const std::vector<double> gaps = gapsOf(course, places);
-  CHECK(leastOf(gaps) > 0.7 && mostOf(gaps) < 1.4);
+  CHECK(minOf(gaps) > 0.7 && maxOf(gaps) < 1.4);
 
   // A polygon that is to the mesh what it is: the corners, and nothing between.
   const Course polygon = courseThrough(arc(1.0, 2.0 * pi, 12), true);
@@ -149,7 +149,7 @@ void testKinks()
 
   const Course embedded = makeCourse(course.points, course.lengths, false, false);
   const std::vector<double> even = gapsOf(embedded, ruleOf(1.0));
-  CHECK_NEAR(leastOf(even), mostOf(even), 1e-9);
+  CHECK_NEAR(minOf(even), maxOf(even), 1e-9);
 }
 
 /** A line that runs to and fro like the edges of a scan, and one that waves as much. */
@@ -165,14 +165,14 @@ void testNoise()
   const Course course = courseThrough(noisy);
   CHECK(course.isRough);
   const std::vector<double> gaps = gapsOf(course, ruleOf(0.5));
-  CHECK_NEAR(leastOf(gaps), 0.5, 0.05);
-  CHECK_NEAR(mostOf(gaps), leastOf(gaps), 1e-6);
+  CHECK_NEAR(minOf(gaps), 0.5, 0.05);
+  CHECK_NEAR(maxOf(gaps), minOf(gaps), 1e-6);
   DivisionRule exact = ruleOf(0.5);
-  exact.mostError = 1e-6; // is kept, whatever it takes
+  exact.maxError = 1e-6; // is kept, whatever it takes
   CHECK_EQUAL(gapsOf(course, exact).size(), std::size_t(200));
 
   CHECK(!courseThrough(smooth).isRough);
-  CHECK(leastOf(gapsOf(courseThrough(smooth), ruleOf(2.0))) < 0.3);
+  CHECK(minOf(gapsOf(courseThrough(smooth), ruleOf(2.0))) < 0.3);
 }
 
 /** Marked places are among those found, wherever they are, and the others even between them. */
@@ -194,9 +194,9 @@ void testMarks()
   CHECK_EQUAL(places.back().t, 1.0);
 
   Course least = courseThrough(arc(0.001, 2.0 * pi, 50), true);
-  least.leastPieces = 3;
+  least.minPieces = 3;
   DivisionRule rule = ruleOf(10.0);
-  rule.mostTurn = 10.0;
+  rule.maxTurn = 10.0;
   CHECK_EQUAL(gapsOf(least, rule).size(), std::size_t(3));
 }
 
@@ -205,7 +205,7 @@ void testTop()
 {
   Course course = courseThrough({ { 0, 0, 0 }, { 1, 0.1, 0 }, { 3, 0.2, 0 }, { 4, 0, 0 } });
   CHECK_EQUAL(gapsOf(course, ruleOf(10.0)).size(), std::size_t(1));
-  course.leastPieces = 2;
+  course.minPieces = 2;
   const std::vector<Station> places = divideCurve(course, ruleOf(10.0));
   CHECK_EQUAL(places.size(), std::size_t(3));
   CHECK(places[1] == (Station{ 2, 0.0 }));

@@ -114,9 +114,9 @@ void testSmallHoles()
   SurfaceMesh mesh = test::meshOf(soup);
   const Features features = findFeatures(mesh, FeatureOptions());
   const EmbeddedSurface surface = test::embedded(mesh, 3);
-  const auto pointsFor = [&](Offset points, double mostError)
+  const auto pointsFor = [&](Offset points, double maxError)
   {
-    CurveSampler sampler({ mesh, surface, features }, { points, mostError });
+    CurveSampler sampler({ mesh, surface, features }, { points, maxError });
     return sampler.limitBends(RunControl());
   };
   const double any = std::numeric_limits<double>::infinity();

@@ -69,7 +69,7 @@ void testTracingSets()
   int different = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed)
   {
-    const int count = 1 + static_cast<int>(uniform01(seed, 0, 9) * Envelope::mostSites);
+    const int count = 1 + static_cast<int>(uniform01(seed, 0, 9) * Envelope::maxSites);
     const std::vector<FacetSite> sites = randomSites(count, seed, seed % 3 == 0 ? 16.0 : 0.0);
     fill(*baseline, sites);
     const bool success = envelopeTracing(InstructionSet::Baseline)(*baseline);

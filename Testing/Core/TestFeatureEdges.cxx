@@ -124,7 +124,7 @@ void testNormalsBesideNeedles()
   findFeatures(mesh, options, RunControl(), &borrowed);
   CHECK_EQUAL(borrowed.size(), std::size_t(1));
   CHECK(borrowed[0].normal.z() > 0.99);
-  const auto leastOf = [&](const std::vector<FacetNormal>& normals)
+  const auto minOf = [&](const std::vector<FacetNormal>& normals)
   {
     double least = 1.0;
     for (const Point3& normal : estimateCornerNormals(mesh, 0, RunControl(), normals))
@@ -133,8 +133,8 @@ void testNormalsBesideNeedles()
     }
     return least;
   };
-  CHECK(leastOf({}) < 0.98);
-  CHECK(leastOf(borrowed) > 0.99);
+  CHECK(minOf({}) < 0.98);
+  CHECK(minOf(borrowed) > 0.99);
 }
 
 /** A crack along a crease, filled with two needles that meet in the longest edge of both. */

@@ -66,16 +66,16 @@ struct Framed
       { this->view().surface, sites, cells.diagram }, components, this->view(), this->featureSites);
   }
 
-  /** @param mostPoints for the curves to be kept apart; 0: they are not. */
+  /** @param maxPoints for the curves to be kept apart; 0: they are not. */
   Index refine(
-    const std::vector<Intrusion>& intrusions, std::vector<Index>& joining, Offset mostPoints = 0)
+    const std::vector<Intrusion>& intrusions, std::vector<Index>& joining, Offset maxPoints = 0)
   {
     const double spacing = std::sqrt(this->surface.siteMeasure / this->featureSites.sites.count());
     const RefinedCurves refined = refinedCurves(this->view(), intrusions, this->featureSites);
     joining = refined.joining;
     return refined.places +
       separateCurves(
-        this->view(), refined.curves, { mostPoints, spacing }, RunControl(), this->featureSites);
+        this->view(), refined.curves, { maxPoints, spacing }, RunControl(), this->featureSites);
   }
 
   double startOf(Index curve, int axis) const

@@ -247,11 +247,11 @@ void testCoarsening()
   {
     TriangleSoup soup;
     double longest;
-    double mostPoints; // share of them that is left
+    double maxPoints; // share of them that is left
   };
   const Kind kinds[] = { { test::gridPatch(40, 30), 0.15, 0.25 },
     { test::torus(1.0, 0.4, 90, 40), 0.3, 0.4 }, { two, 0.2, 1.0 } };
-  for (const auto& [soup, longest, mostPoints] : kinds)
+  for (const auto& [soup, longest, maxPoints] : kinds)
   {
     const SurfaceMesh mesh = test::meshOf(soup);
     std::vector<TargetShape> shapes;
@@ -259,14 +259,14 @@ void testCoarsening()
     CoarseSurface coarse;
     CHECK(coarsen(surfaceOf(mesh, shapes), longest, RunControl(), coarse));
     const auto count = static_cast<Index>(coarse.points.size());
-    CHECK(count <= mostPoints * mesh.numberOfPoints());
+    CHECK(count <= maxPoints * mesh.numberOfPoints());
     CHECK_EQUAL(coarse.points.size() + coarse.removed.size(), mesh.points.size());
     CHECK_EQUAL(
       eulerOf(count, coarse.facetPoints), eulerOf(mesh.numberOfPoints(), mesh.facetPoints));
     CHECK_NEAR(areaOf(coarse.shapes) / areaOf(shapes), 1.0, 0.02);
     for (const TargetShape& shape : coarse.shapes)
     {
-      for (int k = 0; k < 3 && mostPoints < 1.0; ++k)
+      for (int k = 0; k < 3 && maxPoints < 1.0; ++k)
       {
         CHECK(shape.edge2(k) < 1.02 * longest * longest); // layouts differ a little
       }

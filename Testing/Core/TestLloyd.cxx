@@ -11,7 +11,7 @@ using namespace remesh;
 namespace
 {
 /** What a step to the centroids gains at least: m_i |g_i - x_i|^2 = |moment_i|^2 / m_i, summed. */
-double leastGain(const CellSums& sums, int dimension)
+double minGain(const CellSums& sums, int dimension)
 {
   double gain = 0.0;
   for (std::size_t k = 0; k < sums.moment.size(); ++k)
@@ -36,7 +36,7 @@ void checkDescent(const EmbeddedSurface& surface, Sites sites, int steps)
   for (int step = 0; step < steps; ++step)
   {
     const double energy = sums.totalEnergy;
-    const double gain = leastGain(sums, surface.dimension);
+    const double gain = minGain(sums, surface.dimension);
     Convergence two;
     CHECK(relaxLloyd({ voronoi, surface, 1, sites, sums, two, empty }, 1, RunControl()).ok());
     rises += !(sums.totalEnergy <= energy - gain + 1e-13 * energy);

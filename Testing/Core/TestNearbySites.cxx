@@ -38,13 +38,13 @@ std::vector<Index> idsOf(const std::vector<Neighbor>& found)
   return ids;
 }
 
-void checkSites(const Sites& sites, Index begin, Index end, double mostRadius)
+void checkSites(const Sites& sites, Index begin, Index end, double maxRadius)
 {
   const NeighborSearch search(sites);
   NearbySites nearby(search, sites);
   std::vector<int> visits(static_cast<std::size_t>(sites.count()), 0);
   std::vector<Neighbor> found;
-  const auto radiusOf = [&](Index site) { return mostRadius * uniform01(5, site, 0); };
+  const auto radiusOf = [&](Index site) { return maxRadius * uniform01(5, site, 0); };
   std::vector<Index> some(static_cast<std::size_t>(end - begin));
   std::iota(some.begin(), some.end(), begin);
   nearby.forEach(some.data(), some.data() + some.size(), radiusOf,

@@ -31,7 +31,7 @@ void checkWalk(
   while (walk.next([](double) { return false; }))
   {
     const double distance = distanceBetween(sites, site, walk.site());
-    const double bound = walk.leastDistance();
+    const double bound = walk.minDistance();
     wrong += walk.site() == site || bound < last || bound > distance + rounding;
     wrong +=
       atRest && bound < distance * (1.0 - 2.0 * std::numeric_limits<float>::epsilon()) - rounding;
@@ -127,7 +127,7 @@ void testLimit()
     ++steps;
   }
   CHECK_EQUAL(steps, 4);
-  CHECK_EQUAL(walk.leastDistance(), 8.0);
+  CHECK_EQUAL(walk.minDistance(), 8.0);
 }
 
 /** Sites so far away that squares overflow: walks come to an end without them, and at once there.
@@ -154,7 +154,7 @@ void testUnreachable()
       }
       CHECK(steps < 1000);
       CHECK_EQUAL(std::count(seen.begin(), seen.end(), 1), site == 2 ? 0 : n - 2);
-      CHECK_EQUAL(walk.leastDistance(), std::numeric_limits<double>::infinity());
+      CHECK_EQUAL(walk.minDistance(), std::numeric_limits<double>::infinity());
     }
   }
 }

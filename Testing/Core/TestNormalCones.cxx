@@ -76,7 +76,7 @@ void checkSearch(const PlacementProblem& problem)
       positions[v] += noise * test::randomPoint(1, v);
     }
     for (const NearbySurface& surface :
-      { NearbySurface(problem), NearbySurface(problem, leastHeight(problem.mesh)) })
+      { NearbySurface(problem), NearbySurface(problem, minHeight(problem.mesh)) })
     {
       std::vector<Index> expected, found;
       for (std::size_t t = 0; t < problem.triangles.size(); ++t)
@@ -94,7 +94,7 @@ void checkSearch(const PlacementProblem& problem)
   }
 }
 
-void check(const SurfaceMesh& mesh, double leastShare)
+void check(const SurfaceMesh& mesh, double minShare)
 {
   const EmbeddedSurface surface = test::gaussMapOf(mesh, 0.02);
   const RemeshResult result = test::remeshed(mesh, 0.02, 400, VertexPlacement::Centroid);
@@ -102,7 +102,7 @@ void check(const SurfaceMesh& mesh, double leastShare)
   const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, none };
   checkCones(problem);
-  CHECK(shareTold(problem) >= leastShare);
+  CHECK(shareTold(problem) >= minShare);
   checkSearch(problem);
 }
 }

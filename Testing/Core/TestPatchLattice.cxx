@@ -41,7 +41,7 @@ void testDistances()
     for (const Index patches : { 2, 3, 8, 9, 28, 200, 5000 })
     {
       const PatchLattice lattice(d, patches);
-      CHECK(lattice.leastDistance() > 2.0 * diameter);
+      CHECK(lattice.minDistance() > 2.0 * diameter);
       for (std::uint64_t k = 0; k < (d < 100 ? 2000 : 50); ++k)
       {
         const auto a = static_cast<Index>(patches * uniform01(k, 0, 5));
@@ -50,7 +50,7 @@ void testDistances()
         const std::vector<double> y = moved(pointInCube(d, (k + 7) % 50), lattice, b);
         CHECK_EQUAL(lattice.patchOf(x.data()), a);
         const double distance = std::sqrt(squaredDistance<Eigen::Dynamic>(x.data(), y.data(), d));
-        CHECK(a == b ? distance <= 1.001 * diameter : distance >= lattice.leastDistance());
+        CHECK(a == b ? distance <= 1.001 * diameter : distance >= lattice.minDistance());
       }
     }
   }
@@ -58,7 +58,7 @@ void testDistances()
   const double anywhere = 1e9;
   CHECK_EQUAL(one.patchOf(&anywhere), 0);
   CHECK_EQUAL(one.offset(0, 0), 0.0);
-  CHECK(std::isinf(one.leastDistance()));
+  CHECK(std::isinf(one.minDistance()));
 }
 
 /** A cube cut open at its edges: the embedding comes back, and no dimension is added. */

@@ -69,9 +69,9 @@ void testTolerance()
   const RunOutcome absolute = test::outcomeOf(request);
   CHECK(absolute.result.placement.positions == kept.result.placement.positions);
 
-  request.tolerance.mostPoints = kept.result.components.count() / 3;
+  request.tolerance.maxPoints = kept.result.components.count() / 3;
   const RunOutcome limited = test::outcomeOf(request);
-  CHECK(limited.result.components.count() <= request.tolerance.mostPoints);
+  CHECK(limited.result.components.count() <= request.tolerance.maxPoints);
   CHECK(limited.result.distance->maximumBound() > limit);
   CHECK_EQUAL(limited.prepared.warnings.size(), 1u);
 

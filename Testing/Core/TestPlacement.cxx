@@ -277,9 +277,9 @@ void testWholeSurface()
       least = isNearest ? std::min(least, vector.dot(normal)) : least;
     }
     const Index hint = static_cast<Index>(k) % plate.numberOfFacets();
-    CHECK_EQUAL(whole.leastCosine(place, vector, hint), least);
-    CHECK_EQUAL(whole.leastCosine(place, vector, hint, 1.1 * nearest + 1e-6), least);
-    CHECK_EQUAL(whole.leastCosine(place, vector, hint, nearest), 1.0);
+    CHECK_EQUAL(whole.minCosine(place, vector, hint), least);
+    CHECK_EQUAL(whole.minCosine(place, vector, hint, 1.1 * nearest + 1e-6), least);
+    CHECK_EQUAL(whole.minCosine(place, vector, hint, nearest), 1.0);
   }
 }
 

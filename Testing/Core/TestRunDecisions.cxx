@@ -76,7 +76,7 @@ void testNumberForTolerance()
   CHECK_EQUAL(numberOf(2000, 0.02, 0), 2 * once);
   CHECK_EQUAL(numberOf(4000, 0.01, 0), 2 * once);
   CHECK(numberOf(2000, 0.01, 30000) > 30000);
-  CHECK_EQUAL(numberOf(2000, 1.0, 0), request.mostPoints);
+  CHECK_EQUAL(numberOf(2000, 1.0, 0), request.maxPoints);
   CHECK_EQUAL(numberOf(2000, 0.0, 0), 4);
 }
 }

@@ -306,7 +306,7 @@ void testLimits()
   CHECK(least < 0.05);
   // What all but the solution asks for, and what the smallest size allows for.
   options.numberOfPoints = 50;
-  CHECK_NEAR(metricOf(mesh, input, options).fewestPoints, 200.0 / std::sqrt(3.0), 0.01);
+  CHECK_NEAR(metricOf(mesh, input, options).minPoints, 200.0 / std::sqrt(3.0), 0.01);
   CHECK_NEAR(metricOf(mesh, input, options).points, 200.0 / std::sqrt(3.0), 0.01);
   options.numberOfPoints = 1e6;
   CHECK(metricOf(mesh, input, options).points < 5000.0 / std::sqrt(3.0) + 0.01);

@@ -138,7 +138,7 @@ std::array<double, 3> liftedEdges(
   return lengths;
 }
 
-double leastAngle(const std::array<double, 3>& edges)
+double minAngle(const std::array<double, 3>& edges)
 {
   double least = 180.0;
   for (int k = 0; k < 3; ++k)
@@ -182,7 +182,7 @@ void testShapes()
     double sum = 0.0;
     for (const Triple& triangle : result.dual.triangles)
     {
-      sum += leastAngle(liftedEdges(
+      sum += minAngle(liftedEdges(
         triangle, result.placement.positions, [](const Point3& place) { return place; }));
     }
     return sum / static_cast<double>(result.dual.triangles.size());

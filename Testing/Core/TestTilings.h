@@ -67,7 +67,7 @@ inline void checkPiece(const PlacedDiagram& diagram, Offset piece)
   const PieceIntegral& integral = diagram.integrals[piece];
   CHECK(loop.size() >= 4);
   double area = 0.0;
-  double leastTurn = 0.0;
+  double minTurn = 0.0;
   bool inside = true;
   for (std::size_t v = 0; v + 1 < loop.size(); ++v)
   {
@@ -82,12 +82,12 @@ inline void checkPiece(const PlacedDiagram& diagram, Offset piece)
     }
     for (std::size_t w = 0; w + 1 < loop.size(); ++w)
     {
-      leastTurn = std::min(leastTurn, turn(b, loop[v + 1].b, loop[w].b));
+      minTurn = std::min(minTurn, turn(b, loop[v + 1].b, loop[w].b));
     }
     area += b[1] * loop[v + 1].b[2] - b[2] * loop[v + 1].b[1];
   }
   CHECK(inside);
-  CHECK(leastTurn > -1e-14);
+  CHECK(minTurn > -1e-14);
   CHECK_NEAR(integral.fraction(), area, 1e-14);
   CHECK_NEAR(integral.weights[0] + integral.weights[1] + integral.weights[2], area, 1e-14);
   CHECK(integral.energy > -1e-16);

@@ -114,7 +114,7 @@ vtkSmartPointer<vtkAnisotropicRemesher> remesherOf(vtkPolyData* input, vtkIdType
 
 /** A closed mesh with exactly so many points, proven, and no farther than that. */
 vtkSmartPointer<vtkPolyData> checkCone(
-  vtkPolyData* input, vtkIdType points, double s, double mostOfDiagonal)
+  vtkPolyData* input, vtkIdType points, double s, double maxOfDiagonal)
 {
   const auto filter = remesherOf(input, points, s);
   Messages messages(filter);
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> checkCone(
   CHECK_EQUAL(factOf(mesh, "TopologyPreserved"), 1.0);
   CHECK_EQUAL(factOf(mesh, "NumberOfNonManifoldEdges"), 0.0);
   CHECK_EQUAL(eulerCharacteristicOf(mesh), 2);
-  CHECK(factOf(mesh, "MaximumDistance") <= mostOfDiagonal * diagonalOf(input));
+  CHECK(factOf(mesh, "MaximumDistance") <= maxOfDiagonal * diagonalOf(input));
   return mesh;
 }
 

@@ -194,7 +194,7 @@ void testSharp()
 /** A needle's normal is not among the estimated ones, but where no features are looked for. */
 void testNeedle()
 {
-  const auto leastNormal = [](bool preserveFeatures)
+  const auto minNormal = [](bool preserveFeatures)
   {
     const auto remesher = remesherOf(polyDataOf(patchWithFlap()), 0.02);
     remesher->SetNumberOfPoints(100);
@@ -209,8 +209,8 @@ void testNeedle()
     }
     return least;
   };
-  CHECK(leastNormal(true) > 0.999);
-  CHECK(leastNormal(false) < 0.99);
+  CHECK(minNormal(true) > 0.999);
+  CHECK(minNormal(false) < 0.99);
 }
 }
 

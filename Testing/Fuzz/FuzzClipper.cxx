@@ -57,12 +57,12 @@ int incomingOf(const Polygon& piece, std::size_t v)
 }
 
 /** More sites than this, and each vertex is held against some of them only: it is slow. */
-constexpr int mostExact = 14;
+constexpr int maxExact = 14;
 
 /** No other site beats the ones that a vertex is made of: in rational arithmetic. */
 void checkVertex(const test::ExactSites& exact, int count, int i, int incoming, int outgoing)
 {
-  for (int q = i % (1 + count / mostExact); q < count; q += 1 + count / mostExact)
+  for (int q = i % (1 + count / maxExact); q < count; q += 1 + count / maxExact)
   {
     if (q == i || q == incoming || q == outgoing)
     {

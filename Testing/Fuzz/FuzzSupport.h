@@ -110,14 +110,14 @@ inline double coordinate(Bytes& bytes, bool wild)
   }
 }
 
-/** Up to `mostPoints` points, and polygons and strips on them; `wild`: ids out of range, too. */
-inline vtkSmartPointer<vtkPolyData> polyData(Bytes& bytes, int mostPoints, int mostCells, bool wild)
+/** Up to `maxPoints` points, and polygons and strips on them; `wild`: ids out of range, too. */
+inline vtkSmartPointer<vtkPolyData> polyData(Bytes& bytes, int maxPoints, int maxCells, bool wild)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataType(bytes.below(4) == 0 ? VTK_FLOAT : VTK_DOUBLE);
   const bool flat = bytes.below(3) == 0;
-  const int count = bytes.below(mostPoints + 1);
+  const int count = bytes.below(maxPoints + 1);
   for (int i = 0; i < count; ++i)
   {
     const double x = coordinate(bytes, wild);
@@ -127,7 +127,7 @@ inline vtkSmartPointer<vtkPolyData> polyData(Bytes& bytes, int mostPoints, int m
   data->SetPoints(points);
   vtkNew<vtkCellArray> polygons;
   vtkNew<vtkCellArray> strips;
-  const int cells = count > 0 || wild ? bytes.below(mostCells + 1) : 0;
+  const int cells = count > 0 || wild ? bytes.below(maxCells + 1) : 0;
   for (int k = 0; k < cells; ++k)
   {
     const int kind = bytes.below(16);

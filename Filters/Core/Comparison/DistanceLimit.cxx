@@ -12,7 +12,7 @@ namespace remesh
 namespace
 {
 constexpr double farShare = 0.95; // of the limit
-constexpr std::size_t mostParts = 1000000;
+constexpr std::size_t maxParts = 1000000;
 constexpr std::size_t partsBetweenQuestions = 4096;
 
 /** Examines one triangle after the other; one per thread. */
@@ -40,8 +40,7 @@ public:
       {
         this->examine(part, far);
         ++examined;
-        if (examined > mostParts ||
-          (examined % partsBetweenQuestions == 0 && m_control.cancelled()))
+        if (examined > maxParts || (examined % partsBetweenQuestions == 0 && m_control.cancelled()))
         {
           this->note(part, far); // it may be the first that is searched for
           return true;

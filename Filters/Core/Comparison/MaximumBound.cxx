@@ -11,8 +11,8 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostLevels = 60; ///< halvings of a triangle's edges, or cuts
-constexpr Offset mostPieces = 4;
+constexpr int maxLevels = 60; ///< halvings of a triangle's edges, or cuts
+constexpr Offset maxPieces = 4;
 
 struct BoundedPart
 {
@@ -144,7 +144,7 @@ std::vector<BoundedPart> cutAll(const std::vector<BoundedPart>& open, const Sear
 {
   PartCutter cutter(search.to, search.target());
   std::vector<BoundedPart> cut;
-  cut.reserve(mostPieces * open.size());
+  cut.reserve(maxPieces * open.size());
   std::vector<SurfacePart> pieces;
   for (const BoundedPart& each : open)
   {
@@ -169,9 +169,9 @@ Status boundMaximum(const Triangles& from, const TriangleTree& to, const Distanc
     return Status::cancelled();
   }
   Offset budget = options.maximumParts;
-  for (int level = 0; level < mostLevels; ++level)
+  for (int level = 0; level < maxLevels; ++level)
   {
-    settle(open, budget / mostPieces, search);
+    settle(open, budget / maxPieces, search);
     if (open.empty())
     {
       break;

@@ -10,8 +10,8 @@ namespace remesh
 namespace
 {
 constexpr double overlap = 0.01; // of the accuracy
-constexpr double mostSize = 4.0; // of a part that is cut along a triangle, squared
-constexpr double leastCosine = 0.8;
+constexpr double maxSize = 4.0;  // of a part that is cut along a triangle, squared
+constexpr double minCosine = 0.8;
 
 /** The square of a triangle's longest edge. */
 double squaredSize(const std::array<Point3, 3>& corners)
@@ -70,8 +70,8 @@ bool PartCutter::cutAlong(Index slot, const SurfacePart& part, std::vector<Surfa
   const Point3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const auto& [a, b, c] = part.corners;
   const Point3 own = (b - a).cross(c - a);
-  if (squaredSize(part.corners) > mostSize * squaredSize(t) ||
-    std::abs(own.dot(normal)) < leastCosine * own.norm() * normal.norm())
+  if (squaredSize(part.corners) > maxSize * squaredSize(t) ||
+    std::abs(own.dot(normal)) < minCosine * own.norm() * normal.norm())
   {
     return false;
   }

@@ -85,7 +85,7 @@ std::vector<Pair> findCrowded(const Seams* seams)
  * How often the border of the surface may pass from each vertex to another: as often as borders end
  * there, at a pinch and where a curve of more than two sheets ends.
  */
-std::vector<Index> mostCrossings(const Seams* seams, Index numberOfVertices)
+std::vector<Index> maxCrossings(const Seams* seams, Index numberOfVertices)
 {
   std::vector<Index> most(static_cast<std::size_t>(numberOfVertices), 2);
   if (seams)
@@ -120,7 +120,7 @@ std::vector<char> areOverrun(
     ++ends[a];
     ++ends[b];
   }
-  const std::vector<Index> most = mostCrossings(seams, numberOfVertices);
+  const std::vector<Index> most = maxCrossings(seams, numberOfVertices);
   std::vector<char> overrun(ends.size());
   for (std::size_t k = 0; k < ends.size(); ++k)
   {

@@ -14,7 +14,7 @@ namespace remesh
 {
 namespace
 {
-constexpr double leastGap = 0.02; // of a section, between its ends and a new place
+constexpr double minGap = 0.02; // of a section, between its ends and a new place
 
 /** Section by section, those nearest to its middle first. */
 std::vector<Intrusion> inwardFirst(
@@ -107,8 +107,8 @@ RefinedCurves refinedCurves(const FeaturedSurface& featured,
     std::vector<Station>& places = stations[intrusion.curve];
     const Station place = placeFor(intrusion, featured, featureSites);
     const bool isThere = sectionOf(place, places) == sectionOf(intrusion.foot, places);
-    if ((isThere && insertStation(along, place, 0.0, leastGap, places)) ||
-      insertStation(along, intrusion.foot, 0.0, leastGap, places))
+    if ((isThere && insertStation(along, place, 0.0, minGap, places)) ||
+      insertStation(along, intrusion.foot, 0.0, minGap, places))
     {
       ++refined.places;
       refined.curves[intrusion.curve] = 1;

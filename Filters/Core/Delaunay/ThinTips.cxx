@@ -20,14 +20,14 @@ Eigen::VectorXd placeAtRadius(const Eigen::VectorXd& center, double radius,
   const double b = from.dot(way);
   const double root = std::sqrt(std::max(0.0, b * b - a * (from.squaredNorm() - radius * radius)));
   double best = 0.0;
-  double leastGap = std::numeric_limits<double>::infinity();
+  double minGap = std::numeric_limits<double>::infinity();
   for (const double t : { (root - b) / a, (-root - b) / a })
   {
     const double inside = std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.0;
     const double gap = std::abs((from + inside * way).norm() - radius);
-    if (gap < leastGap)
+    if (gap < minGap)
     {
-      leastGap = gap;
+      minGap = gap;
       best = inside;
     }
   }
@@ -113,7 +113,7 @@ std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index seco
     return best;
   }
   const Diagram& diagram = m_places.diagram;
-  double leastGap = std::numeric_limits<double>::infinity();
+  double minGap = std::numeric_limits<double>::infinity();
   for (Offset p = m_components.pieceBegin[first]; p < m_components.pieceBegin[first + 1]; ++p)
   {
     const Index piece = m_components.pieces[p];
@@ -132,9 +132,9 @@ std::vector<double> ThinTips::placeBetween(Index corner, Index first, Index seco
         continue;
       }
       const auto [place, gap] = this->placeOnSide(copy, piece, v);
-      if (gap < leastGap)
+      if (gap < minGap)
       {
-        leastGap = gap;
+        minGap = gap;
         best.assign(place.data(), place.data() + place.size());
       }
     }

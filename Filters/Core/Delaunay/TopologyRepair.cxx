@@ -236,9 +236,9 @@ private:
   Index lessUsed(Index a, Index b) const { return m_uses[b] < m_uses[a] ? b : a; }
 
   /** A cell of a repeated triangle and no other has two neighbours, one of none has one. */
-  bool isTip(Index cell, Index mostUses) const
+  bool isTip(Index cell, Index maxUses) const
   {
-    return m_cutTips && m_uses[cell] <= mostUses && this->isFree(cell);
+    return m_cutTips && m_uses[cell] <= maxUses && this->isFree(cell);
   }
 
   bool isFree(Index cell) const { return m_components.sites[cell] >= m_places.sites.fixed; }

@@ -68,7 +68,7 @@ public:
   }
 
   /** No two points of different patches are nearer: a search need not look into others. */
-  double leastDistance() const
+  double minDistance() const
   {
     return m_axes > 0 ? m_step - 2.0 : std::numeric_limits<double>::infinity();
   }

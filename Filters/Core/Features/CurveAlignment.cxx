@@ -11,13 +11,13 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 4;
+constexpr int maxRounds = 4;
 /**
  * Of the places that a curve has for itself. One that gets more has those of several curves
  * opposite it, or of such that come nearer and go: then its own are better, and what is too near is
  * parted.
  */
-constexpr double mostGrowth = 1.25;
+constexpr double maxGrowth = 1.25;
 
 /** A place of a curve opposite a site of another one. */
 struct Opposite
@@ -147,14 +147,14 @@ void alignCurves(const FeaturedSurface& featured, const RunControl& control, Cur
   {
     alone.push_back(stations.size() + 1);
   }
-  for (int round = 0; round < mostRounds && !control.cancelled(); ++round)
+  for (int round = 0; round < maxRounds && !control.cancelled(); ++round)
   {
     const std::vector<std::vector<Opposite>> found = OppositePlaces(featured, sites).find();
     const Stations before = sampler.stations();
     for (std::size_t c = 0; c < found.size(); ++c)
     {
       const auto curve = static_cast<Index>(c);
-      const double most = mostGrowth * static_cast<double>(alone[c]);
+      const double most = maxGrowth * static_cast<double>(alone[c]);
       sampler.mark(curve, thinnedOut(found[c], lengths.of(curve).back()));
       if (static_cast<double>(sampler.stations()[c].size()) > most)
       {

@@ -102,7 +102,7 @@ void markPlaces(const std::vector<Station>& marked, Course& course)
   const Course before = std::exchange(course, Course{});
   course.isRound = before.isRound;
   course.isRough = before.isRough;
-  course.leastPieces = before.leastPieces;
+  course.minPieces = before.minPieces;
   const auto add = [&](const Point3& point, double length, const Point3& turn, const Station& place)
   {
     course.points.push_back(point);

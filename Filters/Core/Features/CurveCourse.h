@@ -19,7 +19,7 @@ struct Course
   std::vector<Index> marks;    ///< the points to be found; ascending, both ends among them
   bool isRound = false;        ///< closed, and without a corner
   bool isRough = false;        ///< its bends are noise
-  Index leastPieces = 1;
+  Index minPieces = 1;
 
   Index last() const { return static_cast<Index>(this->points.size()) - 1; }
   double length() const { return this->lengths.back(); }

@@ -7,25 +7,25 @@ namespace remesh
 {
 namespace
 {
-constexpr double mostEdges = 1e9;
+constexpr double maxEdges = 1e9;
 
 /** Of the spacing, from a point to those around it, from which on it is worth a place of its own.
  */
-constexpr double leastAlone = 0.8;
+constexpr double minAlone = 0.8;
 
 /** How many edges there are to be in so many spacings: those that differ from them the least. */
 Index nearestNumber(double spacings)
 {
-  const double less = std::floor(std::min(spacings, mostEdges));
+  const double less = std::floor(std::min(spacings, maxEdges));
   const bool isMore = spacings * spacings > less * (less + 1.0); // nearer as a ratio
   return std::max(static_cast<Index>(isMore ? less + 1.0 : less), Index(1));
 }
 
 /** As many as bends take, but for rounding. */
-Index leastNumber(double bends)
+Index minNumber(double bends)
 {
   constexpr double rounding = 0.02;
-  return static_cast<Index>(std::ceil(std::min(bends, mostEdges) - rounding));
+  return static_cast<Index>(std::ceil(std::min(bends, maxEdges) - rounding));
 }
 
 double squaredDistanceToChord(const Point3& p, const Point3& a, const Point3& b)
@@ -72,7 +72,7 @@ private:
   /** Step 1. Where the points of a curve are as far apart as the places, these are best at them. */
   void markLonePoints()
   {
-    const double least = leastAlone * m_rule.spacing;
+    const double least = minAlone * m_rule.spacing;
     const auto isFar = [&](Index k)
     { return m_course.lengths[k + 1] - m_course.lengths[k] >= least; };
     std::vector<Index> alone;
@@ -103,16 +103,16 @@ private:
     {
       const double count = spacing.countAt(m_marks[b + 1]) - spacing.countAt(m_marks[b]);
       const double bends = spacing.bendsAt(m_marks[b + 1]) - spacing.bendsAt(m_marks[b]);
-      numbers.push_back(std::max(nearestNumber(count), leastNumber(bends)));
+      numbers.push_back(std::max(nearestNumber(count), minNumber(bends)));
       sum += numbers.back();
     }
     m_stations.clear();
-    if (sum == 1 && m_course.leastPieces == 2)
+    if (sum == 1 && m_course.minPieces == 2)
     {
       m_stations = { { 0, 0.0 }, this->top(), { m_course.last() - 1, 1.0 } };
       return;
     }
-    for (; sum < m_course.leastPieces; ++sum)
+    for (; sum < m_course.minPieces; ++sum)
     {
       ++numbers[this->longestPiece(numbers)];
     }
@@ -186,8 +186,8 @@ private:
     const Point3 from = m_course.placeAt(begin);
     const Point3 to = m_course.placeAt(end);
     const double most = m_course.isRough
-      ? m_rule.mostError
-      : std::min(m_rule.mostError, m_rule.mostRise() * (to - from).norm());
+      ? m_rule.maxError
+      : std::min(m_rule.maxError, m_rule.maxRise() * (to - from).norm());
     double farthest = most * most;
     Index point = noIndex;
     for (Index p = begin.segment + 1; p <= std::min(end.segment, m_course.last() - 1); ++p)

@@ -10,14 +10,14 @@ namespace remesh
 {
 namespace
 {
-constexpr double mostOnBends = 1.0 / 3.0; // of the points
-constexpr double coarser = 1.05;          // growth of the turn, until they do
-constexpr double coarsestTurn = 2.1;      // radians: a circle has three places
-constexpr int mostSteps = 40;
+constexpr double maxOnBends = 1.0 / 3.0; // of the points
+constexpr double coarser = 1.05;         // growth of the turn, until they do
+constexpr double coarsestTurn = 2.1;     // radians: a circle has three places
+constexpr int maxSteps = 40;
 constexpr int narrowSteps = 4; // before the spacing doubles from one to the next
 constexpr double narrowGrowth = 1.05;
-constexpr double leastShare = 0.95; // of the spacing without features
-constexpr double accuracy = 1e-3;   // of the spacing
+constexpr double minShare = 0.95; // of the spacing without features
+constexpr double accuracy = 1e-3; // of the spacing
 
 double lengthOf(const Course& course)
 {
@@ -39,14 +39,14 @@ void setLeastPieces(const Features& features, std::vector<Course>& courses)
   for (std::size_t c = 0; c < features.curves.size(); ++c)
   {
     const FeatureCurve& curve = features.curves[c];
-    courses[c].leastPieces = curve.closed() ? 3 : 1;
+    courses[c].minPieces = curve.closed() ? 3 : 1;
     const std::pair<Index, Index> ends = std::minmax(curve.points.front(), curve.points.back());
     const auto [found, isFirst] = shortest.try_emplace(ends, c);
     if (!isFirst && !curve.closed())
     {
       std::size_t& best = found->second;
       const bool isShorter = lengthOf(courses[c]) < lengthOf(courses[best]);
-      courses[isShorter ? best : c].leastPieces = 2;
+      courses[isShorter ? best : c].minPieces = 2;
       best = isShorter ? c : best;
     }
   }
@@ -58,7 +58,7 @@ CurveSampler::CurveSampler(const FeaturedSurface& featured, const CurveSamplingO
   , m_sizes(measurePatches(featured))
   , m_number(static_cast<double>(options.numberOfPoints))
 {
-  m_rule.mostError = options.mostError;
+  m_rule.maxError = options.maxError;
   for (std::size_t c = 0; c < m_features.curves.size(); ++c)
   {
     m_courses.push_back(courseOf(featured, static_cast<Index>(c), options.followsBends));
@@ -70,9 +70,9 @@ Offset CurveSampler::limitBends(const RunControl& control)
 {
   m_rule.spacing = std::numeric_limits<double>::infinity();
   Offset count = this->divide(control);
-  while (static_cast<double>(count) > mostOnBends * m_number && m_rule.mostTurn < coarsestTurn)
+  while (static_cast<double>(count) > maxOnBends * m_number && m_rule.maxTurn < coarsestTurn)
   {
-    m_rule.mostTurn = std::min(coarser * m_rule.mostTurn, coarsestTurn);
+    m_rule.maxTurn = std::min(coarser * m_rule.maxTurn, coarsestTurn);
     count = this->divide(control);
   }
   return count;
@@ -83,10 +83,10 @@ void CurveSampler::findSpacing(Offset otherPoints, const RunControl& control)
   const auto others = static_cast<double>(otherPoints);
   const double area = std::accumulate(m_sizes.area.begin(), m_sizes.area.end(), 0.0);
   double low = 0.0;
-  double high = leastShare * std::sqrt(area / (cellArea * m_number));
+  double high = minShare * std::sqrt(area / (cellArea * m_number));
   const auto isTooFine = [&](double spacing)
   { return this->pointsAt(spacing, others, control) > m_number; };
-  for (int step = 0; step < mostSteps && !control.cancelled() && isTooFine(high); ++step)
+  for (int step = 0; step < maxSteps && !control.cancelled() && isTooFine(high); ++step)
   {
     low = high;
     high *= step < narrowSteps ? narrowGrowth : 2.0;

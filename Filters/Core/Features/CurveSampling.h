@@ -15,7 +15,7 @@ struct CurveSamplingOptions
 {
   Offset numberOfPoints = 0; ///< of the whole mesh
   /** Of chords, in the unit of the points; above 0. */
-  double mostError = std::numeric_limits<double>::infinity();
+  double maxError = std::numeric_limits<double>::infinity();
   /** Whether curves get more points where they bend. */
   bool followsBends = true;
 };

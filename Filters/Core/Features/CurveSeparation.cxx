@@ -12,10 +12,10 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 32;
-constexpr double leastSection = 0.02; // of the spacing
-constexpr double leastGap = 0.05;     // of a section
-constexpr double rounding = 1e-12;    // of squared distances
+constexpr int maxRounds = 32;
+constexpr double minSection = 0.02; // of the spacing
+constexpr double minGap = 0.05;     // of a section
+constexpr double rounding = 1e-12;  // of squared distances
 
 /** A site that is nearer to a place of a curve than the curve's own. */
 struct Intruder
@@ -143,8 +143,8 @@ public:
   Division(const FeaturedSurface& featured, std::vector<char> curves, const CurveRoom& room)
     : m_lengths(featured)
     , m_curves(std::move(curves))
-    , m_mostPoints(room.mostPoints)
-    , m_leastSection(leastSection * room.spacing)
+    , m_mostPoints(room.maxPoints)
+    , m_leastSection(minSection * room.spacing)
   {
   }
 
@@ -183,8 +183,8 @@ private:
   bool addPlace(const Intruder& intruder, std::vector<Station>& places)
   {
     const std::vector<double>& lengths = m_lengths.of(intruder.curve);
-    return insertStation(lengths, intruder.level, m_leastSection, leastGap, places) ||
-      insertStation(lengths, intruder.foot, m_leastSection, leastGap, places);
+    return insertStation(lengths, intruder.level, m_leastSection, minGap, places) ||
+      insertStation(lengths, intruder.foot, m_leastSection, minGap, places);
   }
 
   CurveLengths m_lengths;
@@ -205,7 +205,7 @@ Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves,
   Division division(featured, std::move(curves), room);
   std::size_t found = 0; // in the first round
   const auto goesOn = [&](int round)
-  { return round < mostRounds && !sites.collar.empty() && !control.cancelled(); };
+  { return round < maxRounds && !sites.collar.empty() && !control.cancelled(); };
   for (int round = 0; goesOn(round); ++round)
   {
     const std::vector<Intruder> intruders =

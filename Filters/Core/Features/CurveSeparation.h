@@ -17,8 +17,8 @@ namespace remesh
 /** What curves may take to be kept apart. */
 struct CurveRoom
 {
-  Offset mostPoints; ///< vertices on features
-  double spacing;    ///< of the sites, in R^d; sections shorter than a fiftieth are left
+  Offset maxPoints; ///< vertices on features
+  double spacing;   ///< of the sites, in R^d; sections shorter than a fiftieth are left
 };
 
 /**

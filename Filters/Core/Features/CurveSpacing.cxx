@@ -9,8 +9,8 @@ namespace
 /** Of the way. Edges next to each other differ by no more than 1.65 times, the root of e. */
 constexpr double grading = 0.5;
 constexpr int knotsPerSpacing = 8;
-constexpr double mostParts = 1e6; // of an edge
-constexpr int halvings = 8;       // of the way between knots
+constexpr double maxParts = 1e6; // of an edge
+constexpr int halvings = 8;      // of the way between knots
 
 /**
  * Fitted chords of an arc are 1.5 times as far from it, in the mean of squares, as fitted triangles
@@ -20,7 +20,7 @@ constexpr int halvings = 8;       // of the way between knots
 constexpr double bentShare = 0.8;
 
 /** Where a spacing changes less, as a share, it counts as even. */
-constexpr double leastChange = 1e-9;
+constexpr double minChange = 1e-9;
 }
 
 CurveSpacing::CurveSpacing(const Course& course, const std::vector<Point3>& turns,
@@ -63,7 +63,7 @@ void CurveSpacing::layKnots(const Course& course, const std::vector<Point3>& tur
     const double length = course.lengths[k + 1] - course.lengths[k];
     const double extent = (course.points[k + 1] - course.points[k]).norm();
     const double turn = 0.5 * (turns[k] + turns[k + 1]).norm();
-    const double parts = most > 0.0 ? std::min(std::ceil(length / most), mostParts) : 1.0;
+    const double parts = most > 0.0 ? std::min(std::ceil(length / most), maxParts) : 1.0;
     for (double part = 1.0; part < parts; part += 1.0)
     {
       const double share = part / parts;
@@ -97,8 +97,8 @@ std::vector<CurveSpacing::Knot> CurveSpacing::threeRounds() const
 bool CurveSpacing::reaches(const Knot& from, const Knot& to) const
 {
   const double turn = std::abs(to.turn - from.turn);
-  return turn <= m_rule.mostTurn &&
-    turn * std::abs(to.extent - from.extent) <= 8.0 * m_rule.mostError; // the rise of an arc
+  return turn <= m_rule.maxTurn &&
+    turn * std::abs(to.extent - from.extent) <= 8.0 * m_rule.maxError; // the rise of an arc
 }
 
 /** How far it may reach, if it may the near knot and not the far one. */
@@ -192,7 +192,7 @@ void CurveSpacing::count()
   {
     const bool isFinite = std::max(from, to) < std::numeric_limits<double>::infinity();
     return !isFinite || !(std::min(from, to) > 0.0) ? 0.0
-      : std::abs(to - from) > leastChange * from    ? length * std::log(to / from) / (to - from)
+      : std::abs(to - from) > minChange * from      ? length * std::log(to / from) / (to - from)
                                                     : length / from;
   };
   for (std::size_t k = 0; k + 1 < m_knots.size(); ++k)
@@ -217,7 +217,7 @@ double CurveSpacing::lengthAt(Index point, double count) const
     : 0.0;
   const double growth = to.spacing / from.spacing;
   const double way =
-    std::abs(growth - 1.0) > leastChange ? (std::pow(growth, share) - 1.0) / (growth - 1.0) : share;
+    std::abs(growth - 1.0) > minChange ? (std::pow(growth, share) - 1.0) / (growth - 1.0) : share;
   return from.length + way * (to.length - from.length);
 }
 }

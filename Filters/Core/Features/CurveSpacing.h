@@ -19,19 +19,19 @@ constexpr double bentTurn = 0.01;
 struct DivisionRule
 {
   double spacing = std::numeric_limits<double>::infinity(); ///< embedded; of the mesh
-  double mostTurn = 0.4; ///< radians, of the curve between two places
-  double mostError = std::numeric_limits<double>::infinity(); ///< of chords; unit of the points
+  double maxTurn = 0.4; ///< radians, of the curve between two places
+  double maxError = std::numeric_limits<double>::infinity(); ///< of chords; unit of the points
 
   /**
    * How far an arc of that turn is from its chord at most, over the chord's length: 0.05; and by a
    * twentieth more, as whole numbers of edges have it.
    */
-  double mostRise() const { return 1.05 * 0.5 * std::tan(0.25 * this->mostTurn); }
+  double maxRise() const { return 1.05 * 0.5 * std::tan(0.25 * this->maxTurn); }
 };
 
 /**
  * 1. The spacing is that of the rule, four fifths of it where the curve bends. It is less where the
- *    curve turns by `mostTurn` in less, or an arc rises by `mostError` over less, to either side;
+ *    curve turns by `maxTurn` in less, or an arc rises by `maxError` over less, to either side;
  *    and no more than what is between two marks. A point's turn counts half along each of its two
  *    edges, where it adds up with that of the edge's other end: to and fro cancel.
  * 2. From where it is small, it grows by no more than a half of the way.

@@ -46,8 +46,8 @@ double lengthAt(const std::vector<double>& lengths, const Station& station)
     station.t * (lengths[station.segment + 1] - lengths[station.segment]);
 }
 
-bool insertStation(const std::vector<double>& lengths, const Station& station, double leastSection,
-  double leastGap, std::vector<Station>& places)
+bool insertStation(const std::vector<double>& lengths, const Station& station, double minSection,
+  double minGap, std::vector<Station>& places)
 {
   const auto after = std::upper_bound(places.begin(), places.end(), station);
   if (after == places.begin() || after == places.end())
@@ -56,9 +56,9 @@ bool insertStation(const std::vector<double>& lengths, const Station& station, d
   }
   const double begin = lengthAt(lengths, *(after - 1));
   const double end = lengthAt(lengths, *after);
-  const double gap = leastGap * (end - begin);
+  const double gap = minGap * (end - begin);
   const double length = lengthAt(lengths, station);
-  if (end - begin < leastSection || length < begin + gap || length > end - gap)
+  if (end - begin < minSection || length < begin + gap || length > end - gap)
   {
     return false;
   }

@@ -76,11 +76,11 @@ double lengthAt(const std::vector<double>& lengths, const Station& station);
 
 /**
  * Puts a place between those of a curve with these lengths at its points; false, and nothing done,
- * if its section is shorter than `leastSection`, or it would be nearer to one of them than
- * `leastGap` of the section.
+ * if its section is shorter than `minSection`, or it would be nearer to one of them than
+ * `minGap` of the section.
  */
-bool insertStation(const std::vector<double>& lengths, const Station& station, double leastSection,
-  double leastGap, std::vector<Station>& places);
+bool insertStation(const std::vector<double>& lengths, const Station& station, double minSection,
+  double minGap, std::vector<Station>& places);
 
 /** The first place from one end of a curve that is at some distance from that end in R^3. */
 Station stationAtRadius(

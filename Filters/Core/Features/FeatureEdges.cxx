@@ -11,7 +11,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostSteps = 8;          // over thin facets, to one with a normal
+constexpr int maxSteps = 8;           // over thin facets, to one with a normal
 constexpr double needleHeight = 0.02; // of the spacing, below
 /**
  * Flaps. Between their sides points would be as close to each other as these are, eight to a side
@@ -19,7 +19,7 @@ constexpr double needleHeight = 0.02; // of the spacing, below
  */
 constexpr double flapHeight = 0.2;           // of the spacing, below
 constexpr double flapSlenderness = 0.125;    // height, of the longest side, below
-constexpr double leastAgreement = 0.1;       // of cosines; ridges with two like sides have none
+constexpr double minAgreement = 0.1;         // of cosines; ridges with two like sides have none
 constexpr double cosineOfTurningBack = -0.7; // a surface that folds up, to and fro
 
 double cosineOf(double degrees)
@@ -148,16 +148,16 @@ bool isFlap(const NormalsBeside& beside, double nearest)
       agreement = std::min(agreement, beside.normals[k].dot(beside.normals[l]));
     }
   }
-  return agreement > nearest + leastAgreement && nearest > cosineOfTurningBack;
+  return agreement > nearest + minAgreement && nearest > cosineOfTurningBack;
 }
 
 std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edges,
   const FeatureOptions& options, const RunControl& control)
 {
-  const double least = leastHeight(mesh);
+  const double least = minHeight(mesh);
   const double lowest = needleHeight * options.spacing;
   const double highest = flapHeight * options.spacing;
-  const double leastCosine = cosineOf(options.angleDegrees);
+  const double minCosine = cosineOf(options.angleDegrees);
   std::vector<FacetShape> shapes(mesh.facetPoints.size());
   const auto count = static_cast<Offset>(shapes.size());
   const auto findShape = [&](Offset f) { shapes[f] = shapeOf(mesh, static_cast<Index>(f), least); };
@@ -175,7 +175,7 @@ std::vector<FacetShape> findShapes(const SurfaceMesh& mesh, const EdgeTable& edg
     {
       nearest = std::max(nearest, shape.normal.dot(beside.normals[k]));
     }
-    shape.needle = beside.count > 0 && nearest < leastCosine && (isLow || isFlap(beside, nearest));
+    shape.needle = beside.count > 0 && nearest < minCosine && (isLow || isFlap(beside, nearest));
   };
   static_cast<void>(
     forEachItem(count, control, findShape) && forEachItem(count, control, findNeedle));
@@ -209,7 +209,7 @@ std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& ed
     double sign =
       at != facet && opposed(mesh, edges, edges.facetEdges[facet][longest], facet, at) ? -1.0 : 1.0;
     int side = -1; // that it is come in by
-    for (int step = 0; step < mostSteps && !shapes[at].hasNormal(); ++step)
+    for (int step = 0; step < maxSteps && !shapes[at].hasNormal(); ++step)
     {
       const Index edge = edges.facetEdges[at][shapes[at].longestBut(side)];
       const Index next = beyond(edges, edge, at);

@@ -22,27 +22,27 @@ namespace remesh
 namespace
 {
 // Extents in spacings.
-constexpr double leastLoop = 1.0;
-constexpr double leastCrease = 2.5;
-constexpr double leastStraight = 1.5;
-constexpr double leastStrong = 1.5;
-constexpr double leastFine = 5.0; // of edges much shorter than the spacing
-constexpr double leastWiggle = 12.0;
-constexpr double leastBranch = 1.5;
+constexpr double minLoop = 1.0;
+constexpr double minCrease = 2.5;
+constexpr double minStraight = 1.5;
+constexpr double minStrongCrease = 1.5;
+constexpr double minFine = 5.0; // of edges much shorter than the spacing
+constexpr double minWiggle = 12.0;
+constexpr double minBranch = 1.5;
 
 constexpr double fineEdge = 0.7;        // mean length, in spacings
 constexpr double strongAngle = 1.05;    // radians, mean along the crease
 constexpr double turnedBack = 2.35;     // radians
-constexpr double leastCover = 2.0;      // times its area, of what a facet turned back lies on
+constexpr double minCover = 2.0;        // times its area, of what a facet turned back lies on
 constexpr double largestMeanTurn = 0.5; // radians
 constexpr double largestSmoothTurn = 0.35;
 constexpr double largestStraightTurn = 0.2;
-constexpr double mostPerEdge = 0.15; // branches and ends beyond two
-constexpr double mostPerSpacing = 0.3;
+constexpr double maxPerEdge = 0.15; // branches and ends beyond two
+constexpr double maxPerSpacing = 0.3;
 // Of noise so strong that its edges hang together everywhere: real creases turn by half as much.
 constexpr double noisyTurn = 0.7;
 constexpr double noisyPerEdge = 0.2; // points where not just two features meet
-constexpr Index fewestNoisyPoints = 20;
+constexpr Index minNoisyPoints = 20;
 
 /** What is known of one connected set of droppable edges. */
 struct Cluster
@@ -60,7 +60,7 @@ struct Cluster
 bool isNoise(const Cluster& cluster, double spacing)
 {
   const double meanTurn = cluster.turns > 0 ? cluster.turning / cluster.turns : 0.0;
-  if (cluster.turns + cluster.irregular >= fewestNoisyPoints && meanTurn > noisyTurn &&
+  if (cluster.turns + cluster.irregular >= minNoisyPoints && meanTurn > noisyTurn &&
     cluster.irregular > noisyPerEdge * cluster.edges)
   {
     return true;
@@ -70,17 +70,17 @@ bool isNoise(const Cluster& cluster, double spacing)
   const bool fine = cluster.length < fineEdge * spacing * cluster.edges;
   const double branches = std::max(0, cluster.irregular - 2);
   const bool branching =
-    branches > mostPerEdge * cluster.edges && branches > mostPerSpacing * cluster.length / spacing;
+    branches > maxPerEdge * cluster.edges && branches > maxPerSpacing * cluster.length / spacing;
   const bool rough = fine && (branching || meanTurn > largestSmoothTurn);
   const bool wiggles = meanTurn > largestMeanTurn || branching;
   const bool strong = cluster.strength > strongAngle * cluster.length;
   if (rough && (strong || !wiggles))
   {
-    return extent < leastFine;
+    return extent < minFine;
   }
   if (wiggles && !strong && (fine || !cluster.attached))
   {
-    return extent < leastWiggle;
+    return extent < minWiggle;
   }
   if (cluster.attached) // short where the surface is narrow
   {
@@ -88,14 +88,14 @@ bool isNoise(const Cluster& cluster, double spacing)
   }
   if (strong)
   {
-    return extent < (loop ? leastLoop : leastStrong);
+    return extent < (loop ? minLoop : minStrongCrease);
   }
   const bool straight = !fine && cluster.irregular <= 2 && meanTurn < largestSmoothTurn;
   const bool smooth = cluster.irregular <= 2 && meanTurn < largestStraightTurn;
-  const double least = loop ? leastLoop
-    : straight              ? leastStraight
-    : fine && !smooth       ? leastFine
-                            : leastCrease;
+  const double least = loop ? minLoop
+    : straight              ? minStraight
+    : fine && !smooth       ? minFine
+                            : minCrease;
   return extent < least;
 }
 
@@ -195,7 +195,7 @@ public:
     }
     sortUnique(around);
     const Point3 own = this->areaOf(island);
-    return this->areaOf(around).dot(own) < -leastCover * own.squaredNorm();
+    return this->areaOf(around).dot(own) < -minCover * own.squaredNorm();
   }
 
   bool isBack(Index edge) const
@@ -371,7 +371,7 @@ void dropSmallFeatures(const SurfaceMesh& mesh, const EdgeTable& edges,
   CreaseGraph graph = makeCreaseGraph(mesh, edges, options, kinds);
   dropTurnedBack(graph, edges, features);
   graph.listAround(kinds);
-  while (dropBranches(graph, features.angles, leastBranch * options.spacing, kinds))
+  while (dropBranches(graph, features.angles, minBranch * options.spacing, kinds))
   {
     graph.listAround(kinds); // others may come to light
   }

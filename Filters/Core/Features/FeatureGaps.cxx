@@ -13,15 +13,15 @@ namespace remesh
 {
 namespace
 {
-constexpr double leastCosineOfTurn = 0.8; // 37 degrees
-constexpr std::size_t longestGap = 4096;  // edges
+constexpr double minCosineOfTurn = 0.8;  // 37 degrees
+constexpr std::size_t longestGap = 4096; // edges
 
 /** The edges at each point that are features or may continue one. */
 class CandidateGraph
 {
 public:
-  CandidateGraph(const SurfaceMesh& mesh, const EdgeTable& edges, double leastAngle,
-    const FeatureEdges& features)
+  CandidateGraph(
+    const SurfaceMesh& mesh, const EdgeTable& edges, double minAngle, const FeatureEdges& features)
     : m_mesh(mesh)
     , m_ends(features.kinds.size())
     , m_around(mesh.points.size())
@@ -35,7 +35,7 @@ public:
       {
         const Index edge = edges.facetEdges[f][k];
         const bool feature = features.kinds[edge] != FeatureKind::None;
-        if (seen[edge] || !(feature || features.angles[edge] > leastAngle))
+        if (seen[edge] || !(feature || features.angles[edge] > minAngle))
         {
           continue;
         }
@@ -68,7 +68,7 @@ public:
     const Point3& at = m_mesh.points[point];
     const Point3 in = (at - m_mesh.points[this->other(edge, point)]).stableNormalized();
     Index best = noIndex;
-    double straightest = leastCosineOfTurn;
+    double straightest = minCosineOfTurn;
     for (const Index next : m_around[point])
     {
       const Point3 out = (m_mesh.points[this->other(next, point)] - at).stableNormalized();

@@ -16,9 +16,9 @@ namespace remesh
 {
 namespace
 {
-constexpr double leastCosineOfTurn = 0.5; // sharper turns are corners
+constexpr double minCosineOfTurn = 0.5; // sharper turns are corners
 /** Radians, around a point: of a cone whose sides are 45 degrees from its axis. */
-constexpr double mostAngleAtApex = 4.4429;
+constexpr double maxAngleAtApex = 4.4429;
 
 /** From a point along an edge and on, as far as features go there without a fork, or so far. */
 Point3 placeAlong(const CreaseGraph& graph, Index point, Index edge, double distance)
@@ -36,7 +36,7 @@ Point3 placeAlong(const CreaseGraph& graph, Index point, Index edge, double dist
 
 bool turnsSharply(const Point3& from, const Point3& at, const Point3& to)
 {
-  return (at - from).stableNormalized().dot((to - at).stableNormalized()) < leastCosineOfTurn;
+  return (at - from).stableNormalized().dot((to - at).stableNormalized()) < minCosineOfTurn;
 }
 
 /** Sharp turns are no corners where they are those of a curve that zigzags. */
@@ -322,7 +322,7 @@ std::vector<Index> findApexes(const SurfaceMesh& mesh, const Features& features,
   std::vector<Index> apexes;
   for (Index p = 0; p < mesh.numberOfPoints(); ++p)
   {
-    if (angles[p] <= mostAngleAtApex)
+    if (angles[p] <= maxAngleAtApex)
     {
       apexes.push_back(p);
     }

@@ -24,9 +24,9 @@ namespace
 {
 // Of the points that the spacing gives:
 constexpr double tooManyBends = 1.0; // for creases to be dropped at all
-constexpr double mostBends = 0.5;    // in the end, if wider smoothing helps
+constexpr double maxBends = 0.5;     // in the end, if wider smoothing helps
 
-constexpr double leastBend = 0.5; // radians, of a curve at a point of it
+constexpr double minBend = 0.5; // radians, of a curve at a point of it
 
 // In spacings:
 constexpr double narrowestSmoothing = 0.25;
@@ -34,8 +34,8 @@ constexpr double widestSmoothing = 1.0;
 constexpr double highestStep = 0.3; // by which the surface moves
 
 // Of the length of creases that hang together:
-constexpr double mostHigh = 0.02;
-constexpr double leastGone = 0.5;
+constexpr double maxHigh = 0.02;
+constexpr double minGone = 0.5;
 
 /** Points at which features meet, end, or bend. */
 Offset countBends(const CreaseGraph& graph)
@@ -44,7 +44,7 @@ Offset countBends(const CreaseGraph& graph)
   for (Index p = 0; p < graph.mesh.numberOfPoints(); ++p)
   {
     const Index degree = graph.degree(p);
-    bends += degree == 2 ? graph.turn(p) > leastBend : degree > 0;
+    bends += degree == 2 ? graph.turn(p) > minBend : degree > 0;
   }
   return bends;
 }
@@ -151,8 +151,8 @@ Index dropGone(const CreaseGraph& graph, const EdgeTable& edges, const FeatureOp
   for (const Smoothing& crease : creases)
   {
     const Index root = sets.find(graph.ends[crease.edge][0]);
-    if (crease.isGone && gone[root] >= leastGone * lengths[root] &&
-      high[root] <= mostHigh * lengths[root])
+    if (crease.isGone && gone[root] >= minGone * lengths[root] &&
+      high[root] <= maxHigh * lengths[root])
     {
       kinds[crease.edge] = FeatureKind::None;
       features.angles[crease.edge] = 0.0F; // no gap is bridged along it
@@ -177,7 +177,7 @@ Index dropSteps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOp
   for (double width = narrowestSmoothing;
        width <= widestSmoothing && static_cast<double>(countBends(graph)) > most; width *= 2.0)
   {
-    most = mostBends * points;
+    most = maxBends * points;
     const Smoothed smoothed(mesh, width * options.spacing, control);
     if (control.cancelled())
     {

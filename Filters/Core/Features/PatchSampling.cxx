@@ -13,7 +13,7 @@ namespace remesh
 namespace
 {
 constexpr double halfRow = 0.43301270189221932338; // height of a border cell, over the spacing
-constexpr Offset leastClosed = SpareSites::leastOfClosed;
+constexpr Offset minClosed = SpareSites::minOfClosed;
 constexpr int halvings = 60;
 }
 
@@ -57,7 +57,7 @@ double PatchSizes::totalDemand(double spacing) const
 namespace
 {
 /** The free sites that each patch cannot do without. */
-std::vector<Offset> leastCounts(
+std::vector<Offset> minCounts(
   const PatchSizes& sizes, const EmbeddedSurface& surface, const FeatureSites& featureSites)
 {
   std::vector<std::vector<Index>> vertices(sizes.area.size()); // of each patch, ascending
@@ -75,7 +75,7 @@ std::vector<Offset> leastCounts(
   for (std::size_t p = 0; p < least.size(); ++p)
   {
     const bool closed = !(sizes.border[p] > 0.0);
-    least[p] = closed ? leastClosed : seen.insert(vertices[p]).second ? 0 : 1;
+    least[p] = closed ? minClosed : seen.insert(vertices[p]).second ? 0 : 1;
   }
   return least;
 }
@@ -104,7 +104,7 @@ void giveBack(Offset surplus, std::vector<Offset>& counts)
   {
     Offset& most = *std::max_element(counts.begin(), counts.end());
     const Offset spare = std::min(surplus, most / 2);
-    if (most - spare < leastClosed)
+    if (most - spare < minClosed)
     {
       break;
     }
@@ -124,7 +124,7 @@ std::vector<Offset> shareOutSites(
   const std::size_t patches = sizes.area.size();
   std::vector<Offset> counts(patches, 0);
   std::vector<double> lost(patches, 0.0);
-  const std::vector<Offset> least = leastCounts(sizes, featured.surface, featureSites);
+  const std::vector<Offset> least = minCounts(sizes, featured.surface, featureSites);
   Offset given = 0;
   for (std::size_t p = 0; p < patches; ++p)
   {

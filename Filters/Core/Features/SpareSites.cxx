@@ -17,7 +17,7 @@ SpareSites::SpareSites(const EmbeddedSurface& surface, const Sites& sites)
     const Index patch = m_patches.patchOf(sites.site(i));
     if (bordered.count(patch) == 0)
     {
-      ++m_spare.try_emplace(patch, -leastOfClosed).first->second;
+      ++m_spare.try_emplace(patch, -minOfClosed).first->second;
     }
   }
 }

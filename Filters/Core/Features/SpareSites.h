@@ -18,7 +18,7 @@ namespace remesh
 class SpareSites
 {
 public:
-  static constexpr Index leastOfClosed = 4;
+  static constexpr Index minOfClosed = 4;
 
   /** O(n). The surface must outlive this. */
   SpareSites(const EmbeddedSurface& surface, const Sites& sites);

@@ -12,7 +12,7 @@ namespace remesh
 namespace
 {
 /** Each split makes a shorter side of a longer one; a bound for what rounding might make of it. */
-constexpr std::size_t mostSplits = 16; // for each cap there was
+constexpr std::size_t maxSplits = 16; // for each cap there was
 
 class CapSplit
 {
@@ -47,7 +47,7 @@ public:
     {
       m_draft.facetInputs.push_back(m_soup.triangles[triangle]);
     }
-    for (std::size_t splits = mostSplits * caps.size(); !caps.empty() && splits > 0 &&
+    for (std::size_t splits = maxSplits * caps.size(); !caps.empty() && splits > 0 &&
          static_cast<std::int64_t>(m_draft.facets.size()) < maximumInputTriangles &&
          !control.cancelled();
          --splits)

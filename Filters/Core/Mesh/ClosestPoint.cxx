@@ -11,7 +11,7 @@ namespace remesh
 namespace
 {
 constexpr double roundedShare = 1e-6; // of the products that it is the sum of: digits are lost
-constexpr double leastSine = 1e-8;    // of the angle at a corner: so are those of areas
+constexpr double minSine = 1e-8;      // of the angle at a corner: so are those of areas
 
 ClosestPoint at(double u, double v, double w, const Point3& point, const Point3& a, const Point3& b,
   const Point3& c)
@@ -48,7 +48,7 @@ ClosestPoint closestOnNeedle(const Point3& point, const Point3& a, const Point3&
   const double wc = normal.dot(toA.cross(toB)) / squared;
   const double sum = wa + wb + wc;
   const bool isInside = std::min({ wa, wb, wc }) > 0.0 &&
-    squared > leastSine * leastSine * (b - a).squaredNorm() * (c - a).squaredNorm();
+    squared > minSine * minSine * (b - a).squaredNorm() * (c - a).squaredNorm();
   return isInside ? at(wa / sum, wb / sum, wc / sum, point, a, b, c)
                   : closestOnEdges(point, a, b, c);
 }

@@ -10,7 +10,7 @@ namespace remesh
 namespace
 {
 constexpr Offset smallestWindow = Offset(1) << 14; // vertices
-constexpr Offset mostWindows = 32;                 // each looks at all triangles twice
+constexpr Offset maxWindows = 32;                  // each looks at all triangles twice
 
 /** Calls `visit(lower, upper)` for the edges of the triangles whose lower vertex is in a range. */
 template <class Visit>
@@ -79,7 +79,7 @@ EdgeValences countEdgeValences(
   const std::vector<Triple>& triangles, Index numberOfVertices, const RunControl& control)
 {
   const Blocks windows = Blocks::cut(numberOfVertices,
-    std::clamp<Offset>(numberOfVertices / smallestWindow, 1, mostWindows),
+    std::clamp<Offset>(numberOfVertices / smallestWindow, 1, maxWindows),
     std::max<Offset>(numberOfVertices, 1));
   std::vector<EdgeValences> parts(static_cast<std::size_t>(windows.count()));
   const bool done = forEachBlock(windows.count(), control.silent(),

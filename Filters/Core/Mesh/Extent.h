@@ -37,7 +37,7 @@ inline double roundingOfPoints(const std::vector<Point3>& points)
 }
 
 /** A triangle less high than this has no normal: coordinates in single precision cannot tell it. */
-inline double leastHeight(const SurfaceMesh& mesh)
+inline double minHeight(const SurfaceMesh& mesh)
 {
   constexpr double resolution = 1e-6; // of the diagonal
   return resolution * boundingBoxDiagonal(mesh);

@@ -92,11 +92,11 @@ inline Point3 facetNormal(const Point3& a, const Point3& b, const Point3& c)
 inline bool hasArea(const Point3& a, const Point3& b, const Point3& c)
 {
   constexpr double roundingOfSine = 1e-15; // 4.5 units in the last place of 1
-  constexpr double leastWidth = 1e-30;     // squares of areas stay normal numbers
+  constexpr double minWidth = 1e-30;       // squares of areas stay normal numbers
   const ShortEdges edges = shortEdges(a, b, c);
   const double first = lengthOf(edges.first);
   const double second = lengthOf(edges.second);
-  if (!(std::min(first, second) > leastWidth * std::max(first, second)))
+  if (!(std::min(first, second) > minWidth * std::max(first, second)))
   {
     return false;
   }

@@ -32,7 +32,7 @@ constexpr double largestCotangent = 100.0;
  * Of a normal after a step: where all directions are within reach, as on a small part that is
  * closed, what is left of their sum tells the solver's error and no direction.
  */
-constexpr double leastLength = 0.1;
+constexpr double minLength = 0.1;
 /** Of the residual; its rest is long waves, which move a normal by less than a hundredth of what
  * the step moves it. */
 constexpr double wantedReduction = 1e-2;
@@ -267,7 +267,7 @@ void flowNormals(const FlowMatrix& matrix, const RunControl& control, std::vecto
       for (std::size_t i = 0; i < field.size(); ++i)
       {
         const double length = smoothed[i].norm();
-        if (length > leastLength)
+        if (length > minLength)
         {
           field[i] = smoothed[i] / length;
         }

@@ -150,7 +150,7 @@ void TriangleTree::visitLeaves(
   {
     return;
   }
-  Pending pending[(lanes - 1) * mostLevels + 1];
+  Pending pending[(lanes - 1) * maxLevels + 1];
   int size = 0;
   pending[size++] = { 0.0, 0, static_cast<int>(m_levels.size()) - 1 };
   while (size > 0)
@@ -352,7 +352,7 @@ void TriangleTree::findClosest(Packet& packet) const
     box[0] = box[0].cwiseMin(packet.points.at(lane));
     box[1] = box[1].cwiseMax(packet.points.at(lane));
   }
-  Pending pending[(lanes - 1) * mostLevels + 1];
+  Pending pending[(lanes - 1) * maxLevels + 1];
   int size = 0;
   if (!this->empty())
   {

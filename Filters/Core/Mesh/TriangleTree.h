@@ -159,7 +159,7 @@ public:
 private:
   static constexpr Index leafSize = 2;
   static constexpr Index groupSize = lanes * leafSize;
-  static constexpr int mostLevels = 11; ///< more than any number of leaves needs
+  static constexpr int maxLevels = 11; ///< more than any number of leaves needs
 
   /** A node or a leaf that is still to be looked into. */
   struct Pending

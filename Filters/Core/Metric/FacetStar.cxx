@@ -7,8 +7,8 @@ namespace remesh
 {
 namespace
 {
-constexpr double mostBend = 1.0; // radians, by which angles may differ from a full turn
-constexpr double mostBorderBend = 0.3;
+constexpr double maxBend = 1.0; // radians, by which angles may differ from a full turn
+constexpr double maxBorderBend = 0.3;
 constexpr double pi = 3.14159265358979323846;
 
 double qualityOf(const Vector2& a, const Vector2& b, const Vector2& c)
@@ -35,7 +35,7 @@ bool walkAround(const JoinedFacets& facets, Index point, Star& star)
   star.facets = 0;
   for (;;)
   {
-    if (star.facets == Star::mostFacets)
+    if (star.facets == Star::maxFacets)
     {
       return false;
     }
@@ -62,8 +62,8 @@ bool walkAround(const JoinedFacets& facets, Index point, Star& star)
 
 bool layOut(const JoinedFacets& facets, Star& star)
 {
-  double spokes[Star::mostFacets + 1] = {};
-  double angles[Star::mostFacets];
+  double spokes[Star::maxFacets + 1] = {};
+  double angles[Star::maxFacets];
   double sum = 0.0;
   star.worst = 1.0;
   for (int i = 0; i < star.facets; ++i)
@@ -84,7 +84,7 @@ bool layOut(const JoinedFacets& facets, Star& star)
     spokes[end] += (star.isBorder && i == star.facets - 1 ? 1.0 : 0.5) * b;
   }
   const double bend = sum - (star.isBorder ? pi : 2.0 * pi);
-  if (!(std::abs(bend) < (star.isBorder ? mostBorderBend : mostBend)))
+  if (!(std::abs(bend) < (star.isBorder ? maxBorderBend : maxBend)))
   {
     return false;
   }

@@ -44,15 +44,15 @@ struct JoinedFacets
 /** Facets around a point, counter-clockwise, in a plane with the point at its origin. */
 struct Star
 {
-  static constexpr int mostFacets = 16; ///< more are no star
+  static constexpr int maxFacets = 16; ///< more are no star
 
   bool isBorder = false;
   int facets = 0;
-  Index corners[mostFacets];      ///< of the facets at the point
-  int ends = 0;                   ///< points around
-  Index points[mostFacets + 1];   ///< around
-  Vector2 places[mostFacets + 1]; ///< of these
-  double worst = 1.0;             ///< quality of its facets
+  Index corners[maxFacets];      ///< of the facets at the point
+  int ends = 0;                  ///< points around
+  Index points[maxFacets + 1];   ///< around
+  Vector2 places[maxFacets + 1]; ///< of these
+  double worst = 1.0;            ///< quality of its facets
 
   /** The k-th point from one of the ends, around. */
   int from(int end, int k) const { return (end + k) % this->ends; }

@@ -9,7 +9,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 60;
+constexpr int maxRounds = 60;
 constexpr double slack = 1.01; // of squares of sizes: what is nearer to its limit is left alone
 
 /** The tensor of a point, and what its neighbours limit it to; 1 where they do. */
@@ -72,7 +72,7 @@ bool limitGrowth(const SurfaceMesh& mesh, const EdgeTable& edges, const Gradatio
       any.store(true, std::memory_order_relaxed);
     }
   };
-  for (int round = 0; round < mostRounds && any && done; ++round)
+  for (int round = 0; round < maxRounds && any && done; ++round)
   {
     any = false;
     done = forEachItem(mesh.numberOfPoints(), control, limit);

@@ -17,7 +17,7 @@ namespace
 constexpr double longestSide = 0.8;      // of the coarse surface
 constexpr double coarseSmoothing = 1.0;  // root of the time for which crumples are smoothed
 constexpr double fineSmoothing = 0.2;    // the same, for the coarse surface's own sides
-constexpr double leastUnits2 = 3000.0;   // that the coarse surface has, of its own ones
+constexpr double minUnits2 = 3000.0;     // that the coarse surface has, of its own ones
 constexpr double smoothedUnits2 = 500.0; // the same for the unit of the smoothing
 // Steps:
 constexpr int coarseSteps = 60;
@@ -99,7 +99,7 @@ Status embedPlaces(const MetricLaplacian& laplacian, const IsometryOptions& opti
   const RunControl& control, IsometricEmbedding& embedding)
 {
   const ShapedFacets& surface = laplacian.surface();
-  const double unit = unitFor(options.unit, laplacian.totalArea(), leastUnits2);
+  const double unit = unitFor(options.unit, laplacian.totalArea(), minUnits2);
   CoarseSurface coarse;
   if (unit > 0.0 && !coarsen(surface, longestSide * unit, control.silent(), coarse))
   {

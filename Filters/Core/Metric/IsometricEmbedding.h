@@ -29,7 +29,7 @@ namespace remesh
 {
 struct IsometryOptions
 {
-  int dimension = 6;            ///< 2 to mostEmbeddingDimensions
+  int dimension = 6;            ///< 2 to maxEmbeddingDimensions
   int iterations = 200;         ///< at most
   double energyDecrease = 0.15; ///< ends where ten steps lower the energy by less than this share
   double unit = 0.0; ///< edges of the mesh that it is for; 0: no coarse surface, nor is it smoothed

@@ -11,7 +11,7 @@ namespace remesh
 namespace
 {
 constexpr double goodEnough = 0.3;         // quality of triangles, 1 for equal sides
-constexpr double leastShare = 0.01;        // of the points, that a pass is to remove
+constexpr double minShare = 0.01;          // of the points, that a pass is to remove
 constexpr Index pointsBetweenLooks = 1024; // at whether the run is cancelled
 
 class Coarsening
@@ -61,7 +61,7 @@ public:
         }
       }
       std::replace(m_states.begin(), m_states.end(), State::Waiting, State::Open);
-    } while (static_cast<double>(m_removed.size() - last) > leastShare * count);
+    } while (static_cast<double>(m_removed.size() - last) > minShare * count);
     return true;
   }
 
@@ -180,7 +180,7 @@ private:
     {
       return;
     }
-    double qualities[Star::mostFacets + 1];
+    double qualities[Star::maxFacets + 1];
     for (int end = 0; end < star.ends; ++end)
     {
       const bool isEnd = !star.isBorder || end == 0 || end == star.ends - 1;

@@ -21,7 +21,7 @@ namespace remesh
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /** The largest d. */
-constexpr int mostEmbeddingDimensions = 16;
+constexpr int maxEmbeddingDimensions = 16;
 
 struct MetricField
 {

@@ -16,7 +16,7 @@ namespace remesh
 {
 /** 2 x d, on the stack. */
 using FacetRows =
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, mostEmbeddingDimensions>;
+  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, maxEmbeddingDimensions>;
 
 class MetricLaplacian
 {

@@ -8,9 +8,9 @@ namespace remesh
 {
 namespace
 {
-constexpr double longest = 0.5;       // of the unit
-constexpr double shortest = 0.125;    // of the unit, where the metric changes
-constexpr double mostVariation = 1.3; // between sizes at an edge's ends
+constexpr double longest = 0.5;      // of the unit
+constexpr double shortest = 0.125;   // of the unit, where the metric changes
+constexpr double maxVariation = 1.3; // between sizes at an edge's ends
 
 /** The tensors at three corners of a facet, as logarithms in its plane. */
 using Logarithms = std::array<Tensor2, 3>;
@@ -134,7 +134,7 @@ public:
           const auto [length, variation] = this->measure(surface, frame, f, k);
           wanted.lengths[edge] = length;
           wanted.marked[edge] = length > longest * m_unit ||
-            (length > shortest * m_unit && variation > mostVariation * mostVariation);
+            (length > shortest * m_unit && variation > maxVariation * maxVariation);
         }
       }
     }
@@ -169,13 +169,13 @@ private:
 }
 
 bool refineForMetric(const SurfaceMesh& mesh, const Features* features, const MetricField& metric,
-  double unit, Offset mostFacets, const RunControl& control, RefinedSurface& refined,
+  double unit, Offset maxFacets, const RunControl& control, RefinedSurface& refined,
   MetricField& refinedMetric)
 {
   const Interpolation interpolation(mesh, metric);
   const Criterion criterion(mesh, interpolation, unit);
   refined = wholeSurface(mesh, features);
-  const bool any = refine(criterion, { mostFacets }, control, refined);
+  const bool any = refine(criterion, { maxFacets }, control, refined);
   if (any && !control.cancelled())
   {
     refinedMetric = interpolation.of(refined);

@@ -19,13 +19,13 @@ namespace remesh
 {
 /**
  * @param unit a length in the metric, above 0: what an edge of the mesh will have.
- * @param mostFacets that the surface may come to have; the longest edges come first.
+ * @param maxFacets that the surface may come to have; the longest edges come first.
  * @param refined receives the surface, where any facet is split.
  * @param refinedMetric receives its metric then: at the old points as it was.
  * @return whether any facet is split. O(F) for each of up to 24 rounds.
  */
 bool refineForMetric(const SurfaceMesh& mesh, const Features* features, const MetricField& metric,
-  double unit, Offset mostFacets, const RunControl& control, RefinedSurface& refined,
+  double unit, Offset maxFacets, const RunControl& control, RefinedSurface& refined,
   MetricField& refinedMetric);
 
 /** The metric's area of a surface, from shapes of its facets. */

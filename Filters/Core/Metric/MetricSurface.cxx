@@ -16,7 +16,7 @@ namespace
 constexpr Offset facetsPerFacet = 2; // that refinement may make
 constexpr Offset facetsPerSite = 40; // half a unit is the longest edge
 /** Of sizes at the corners of a given facet: above, nothing tells what is between them. */
-constexpr double mostVariation = 4.0;
+constexpr double maxVariation = 4.0;
 constexpr double sameUnit = 0.03; // relative: limiting again would change nothing
 
 class Preparation
@@ -63,17 +63,17 @@ private:
     double coarse = 0.0;
     for (const TargetShape& shape : m_surface.shapes)
     {
-      coarse += shape.variation > mostVariation ? shape.area() : 0.0;
+      coarse += shape.variation > maxVariation ? shape.area() : 0.0;
     }
     return area > 0.0 ? coarse / area : 0.0;
   }
 
   Status refineSurface(const Features* features, const RunControl& control)
   {
-    const Offset mostFacets = std::min<Offset>(
+    const Offset maxFacets = std::min<Offset>(
       facetsPerFacet * m_mesh->numberOfFacets() + facetsPerSite * m_options.sites, maximumIndex);
     RefinedSurface refined;
-    if (refineForMetric(*m_mesh, features, *m_metric, m_surface.unit, mostFacets, control, refined,
+    if (refineForMetric(*m_mesh, features, *m_metric, m_surface.unit, maxFacets, control, refined,
           m_refinedMetric))
     {
       m_surface.refined = std::move(refined);

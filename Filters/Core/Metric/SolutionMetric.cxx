@@ -261,14 +261,14 @@ bool bracketScale(
   const ScaledMetric& metric, double wanted, const RunControl& control, Trial& low, Trial& high)
 {
   constexpr double saturated = 1e-9; // a growth for 4 times the scale
-  constexpr int mostSteps = 500;     // all that doubles have
+  constexpr int maxSteps = 500;      // all that doubles have
   high.scale = wanted;
   if (!metric.countPoints(high.scale, control, high.points))
   {
     return false;
   }
   const double factor = high.points < wanted ? 4.0 : 0.25;
-  for (int k = 0; k < mostSteps; ++k)
+  for (int k = 0; k < maxSteps; ++k)
   {
     low = high;
     high.scale *= factor;
@@ -294,7 +294,7 @@ bool bracketScale(
 bool findScale(const ScaledMetric& metric, double wanted, const RunControl& control, double& scale)
 {
   constexpr double near = 1e-6;
-  constexpr int mostSteps = 60;
+  constexpr int maxSteps = 60;
   Trial low;
   Trial high;
   if (!bracketScale(metric, wanted, control, low, high))
@@ -303,7 +303,7 @@ bool findScale(const ScaledMetric& metric, double wanted, const RunControl& cont
   }
   scale = high.scale;
   // Regula falsi of logarithms, and every third time bisection.
-  for (int k = 0; k < mostSteps && low.points < wanted && high.points > wanted; ++k)
+  for (int k = 0; k < maxSteps && low.points < wanted && high.points > wanted; ++k)
   {
     const double share =
       k % 3 == 2 ? 0.5 : std::log(wanted / low.points) / std::log(high.points / low.points);
@@ -334,8 +334,8 @@ Status makeSolutionMetric(const SurfaceMesh& mesh, const SolutionMetricInput& in
   }
   metric.isConstant = scaled.isConstant();
   double scale = 0.0;
-  bool done = scaled.countPoints(0.0, control, metric.fewestPoints);
-  if (!metric.isConstant && metric.fewestPoints < options.numberOfPoints)
+  bool done = scaled.countPoints(0.0, control, metric.minPoints);
+  if (!metric.isConstant && metric.minPoints < options.numberOfPoints)
   {
     done = done && findScale(scaled, options.numberOfPoints, control, scale);
   }

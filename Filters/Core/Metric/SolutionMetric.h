@@ -59,7 +59,7 @@ struct SolutionMetric
 {
   std::vector<Symmetric3<double>> tensors; ///< V; across the surface the larger size
   double points = 0.0;                     ///< of a mesh with edges of length 1
-  double fewestPoints = 0.0;               ///< that all but the functions ask for
+  double minPoints = 0.0;                  ///< that all but the functions ask for
   bool isConstant = false; ///< whether all functions are linear: they ask for no points
 };
 

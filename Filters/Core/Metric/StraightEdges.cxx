@@ -13,11 +13,11 @@ namespace remesh
 namespace
 {
 constexpr int directions = 5; // of a half turn: an ellipse has two harmonics
-constexpr int mostRounds = 3;
-constexpr double unchanged = 0.03;   // relative, of squares of lengths: an ellipse that stays
-constexpr int mostFacets = 400;      // that half an edge crosses
-constexpr double mostSkewness = 0.9; // of an ellipse in the one before: it stays one
-constexpr double stretch = 0.25;     // of a unit, over which the metric is taken as linear
+constexpr int maxRounds = 3;
+constexpr double unchanged = 0.03;  // relative, of squares of lengths: an ellipse that stays
+constexpr int maxFacets = 400;      // that half an edge crosses
+constexpr double maxSkewness = 0.9; // of an ellipse in the one before: it stays one
+constexpr double stretch = 0.25;    // of a unit, over which the metric is taken as linear
 constexpr double pi = 3.14159265358979323846;
 
 using Vector2 = Eigen::Vector2d;
@@ -134,7 +134,7 @@ public:
     {
       return length / std::sqrt(tensor.squared(along[0], along[1]));
     }
-    for (int k = 0; k < mostFacets; ++k)
+    for (int k = 0; k < maxFacets; ++k)
     {
       const int exit = this->cross(length, walker);
       if (walker.length >= length || !this->enterNext(exit, walker))
@@ -203,7 +203,7 @@ private:
 
   void advance(double reach, double length, Walker& walker) const
   {
-    constexpr int mostSteps = 32;
+    constexpr int maxSteps = 32;
     const FlatFacet& flat = m_facets[walker.facet];
     double step = reach;
     int steps = 1;
@@ -211,7 +211,7 @@ private:
     if (reach * walker.speed > 2.0 * stretch * length)
     {
       const double wanted = reach * walker.speed / (2.0 * stretch * length);
-      steps = static_cast<int>(std::min<double>(wanted, mostSteps - 1)) + 1;
+      steps = static_cast<int>(std::min<double>(wanted, maxSteps - 1)) + 1;
       step = reach / steps;
       walker.speed = flat.speed(walker.place + 0.5 * step * walker.way, walker.way);
     }
@@ -288,7 +288,7 @@ struct Fit
   {
     const double skewness = std::hypot(this->cosine, this->sine);
     const double shrink =
-      skewness > mostSkewness * this->mean ? mostSkewness * this->mean / skewness : 1.0;
+      skewness > maxSkewness * this->mean ? maxSkewness * this->mean / skewness : 1.0;
     return { this->mean + shrink * this->cosine, shrink * this->sine,
       this->mean - shrink * this->cosine };
   }
@@ -330,7 +330,7 @@ Fit fitEllipse(const Place& at, const Tensor2& root)
 Tensor2 limitedAt(const Place& at)
 {
   Tensor2 tensor = at.tensor;
-  for (int round = 0; round < mostRounds; ++round)
+  for (int round = 0; round < maxRounds; ++round)
   {
     const Tensor2 root = squareRoot(tensor);
     const Fit fit = fitEllipse(at, root);

@@ -16,9 +16,9 @@ constexpr double hexagonEnergy = 0.16037507477489604; // 5 / (18 sqrt(3)), over 
  * Of a cell's energy over that of a hexagon of its measure. A surface that is wrinkled within the
  * cell has more measure for its extent.
  */
-constexpr double leastEnergy = 0.95;
-constexpr double mostEnergy = 1.25;
-constexpr double mostOwed = 1.0; // sites too many or too few in a cell that grows
+constexpr double minEnergy = 0.95;
+constexpr double maxEnergy = 1.25;
+constexpr double maxOwed = 1.0; // sites too many or too few in a cell that grows
 
 Status findNeighbors(const Diagram& diagram, const RunControl& control, CoarseCells& cells)
 {
@@ -79,7 +79,7 @@ void findGrowing(
     const std::vector<Index>& around = cells.neighbors[i];
     const double energy = energies[i] / (hexagonEnergy * measures[i] * measures[i]);
     const double owed = cells.due[i] - 1.0 - 0.5 * static_cast<double>(around.size());
-    cells.grows[i] = energy > leastEnergy && energy < mostEnergy && std::abs(owed) < mostOwed &&
+    cells.grows[i] = energy > minEnergy && energy < maxEnergy && std::abs(owed) < maxOwed &&
       std::none_of(
         around.begin(), around.end(), [&](Index other) { return other < cells.sites.fixed; });
   }

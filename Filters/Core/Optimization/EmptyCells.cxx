@@ -10,7 +10,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 8;
+constexpr int maxRounds = 8;
 constexpr std::uint64_t firstStream = 16; // apart from those of Sampling.cxx
 
 /** Mass of each facet times the mean energy density of the cells at its corners. */
@@ -45,7 +45,7 @@ Status integrateAndFill(const Relaxation& relaxation, const RunControl& control)
     }
     holdFixedSites(sites, sums);
     emptyCells = countEmptyFree(sites, sums);
-    if (emptyCells == 0 || round == mostRounds)
+    if (emptyCells == 0 || round == maxRounds)
     {
       return Status::success();
     }

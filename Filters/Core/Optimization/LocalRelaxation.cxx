@@ -35,7 +35,7 @@ Neighborhood findNeighborhood(
       continue;
     }
     isDone[nearest] = 1;
-    search.neighbors(nearest, covering, surface.patches.leastDistance(), found);
+    search.neighbors(nearest, covering, surface.patches.minDistance(), found);
     found.insert(found.begin(), { nearest, 0.0 });
     for (std::size_t n = 0; n < found.size(); ++n)
     {

@@ -16,7 +16,7 @@ namespace remesh
 namespace
 {
 constexpr double sufficientDecrease = 1e-4; // Armijo's constant
-constexpr int mostTrials = 12;
+constexpr int maxTrials = 12;
 constexpr double longestStep = 2.0; // times the root mean square radius of the cell
 
 /** One pair of the history. */
@@ -247,7 +247,7 @@ Status search(const Relaxation& relaxation, const Descent& descent, const Blocke
   trial.sites.coordinates.resize(sites.coordinates.size());
   trial.length = 1.0;
   trial.accepted = false;
-  for (int k = 0; k < mostTrials; ++k)
+  for (int k = 0; k < maxTrials; ++k)
   {
     vectors.forEach([&](std::size_t c)
       { trial.sites.coordinates[c] = sites.coordinates[c] + trial.length * descent.direction[c]; });

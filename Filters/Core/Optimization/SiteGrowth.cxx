@@ -16,7 +16,7 @@ namespace remesh
 {
 namespace
 {
-constexpr double mostDebt = 2.0; // sites that a row of cells may have too many or too few
+constexpr double maxDebt = 2.0; // sites that a row of cells may have too many or too few
 
 /** Free sites by patch, in their order. */
 std::vector<std::vector<Index>> freeSitesByPatch(
@@ -57,11 +57,11 @@ public:
     const auto nearer = [&](Index a, Index b)
     { return m_cells.distance2(site, a) < m_cells.distance2(site, b); };
     m_debt += m_cells.due[site] - 1.0 - 0.5 * static_cast<double>(around.size());
-    for (; m_debt < -mostDebt && !m_partners.empty(); m_debt += 1.0)
+    for (; m_debt < -maxDebt && !m_partners.empty(); m_debt += 1.0)
     {
       m_partners.erase(std::min_element(m_partners.begin(), m_partners.end(), nearer));
     }
-    m_debt = std::clamp(m_debt, -mostDebt, mostDebt); // or it would be paid far away
+    m_debt = std::clamp(m_debt, -maxDebt, maxDebt); // or it would be paid far away
     for (const Index other : m_partners)
     {
       m_pairs.push_back({ site, other });
@@ -133,13 +133,13 @@ void chooseInCells(
   {
     const Index cell = next->cell;
     debt += left[cell];
-    const double least = cells.grows[cell] ? mostDebt : 0.5; // regular cells have no gaps
+    const double least = cells.grows[cell] ? maxDebt : 0.5; // regular cells have no gaps
     for (; next != candidates.end() && next->cell == cell; ++next)
     {
       next->wanted = debt >= least;
       debt -= next->wanted ? 1.0 : 0.0;
     }
-    debt = std::clamp(debt, -mostDebt, mostDebt);
+    debt = std::clamp(debt, -maxDebt, maxDebt);
   }
 }
 

@@ -10,8 +10,8 @@ namespace remesh
 {
 namespace
 {
-constexpr Offset growth = 4;       // of the sites, from one look to the next
-constexpr double leastShare = 0.9; // of the far cells, with creases that are new
+constexpr Offset growth = 4;     // of the sites, from one look to the next
+constexpr double minShare = 0.9; // of the far cells, with creases that are new
 
 /** F: whether a facet has a point on an edge that is a feature among the fine ones alone. */
 std::vector<char> facetsAtNewFeatures(
@@ -81,7 +81,7 @@ Status findFinerCreases(const RunRequest& request, const RunOutcome& outcome,
       return Status::cancelled();
     }
     if (fine.dropped.edges < dropped &&
-      shareOn(facetsAtNewFeatures(mesh, coarse, fine), outcome, farCells) >= leastShare)
+      shareOn(facetsAtNewFeatures(mesh, coarse, fine), outcome, farCells) >= minShare)
     {
       EmbeddedSurface surface; // bends do not depend on more than the place
       if (Status status = embedSurface(mesh, positionCoordinates(mesh), control, surface);
@@ -91,7 +91,7 @@ Status findFinerCreases(const RunRequest& request, const RunOutcome& outcome,
       }
       finer.sites = sites;
       CurveSampler sampler({ mesh, surface, fine },
-        { outcome.result.components.count(), request.options.mostCurveError });
+        { outcome.result.components.count(), request.options.maxCurveError });
       finer.neededPoints = sampler.limitBends(control);
     }
     dropped = fine.dropped.edges;

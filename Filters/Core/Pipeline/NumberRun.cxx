@@ -12,8 +12,8 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostWidenings = 2;           // of the radius over which normals are smoothed
-constexpr double mostParts = 1.1;          // of cells, for each
+constexpr int maxWidenings = 2;            // of the radius over which normals are smoothed
+constexpr double maxParts = 1.1;           // of cells, for each
 constexpr double shareOfPreparation = 0.1; // of the progress of a run
 constexpr double shareOfOthers = 0.4;      // of the progress, left to runs that may follow
 constexpr double shareOfSmoothed = 0.1;    // likewise, where one will as a rule not
@@ -126,8 +126,8 @@ struct NumberRun
     if (status.ok())
     {
       const bool endsEarly = this->mayEndEarly && this->mayBeWrinkled();
-      this->request.options.mostComponents =
-        endsEarly ? mostParts : std::numeric_limits<double>::infinity();
+      this->request.options.maxComponents =
+        endsEarly ? maxParts : std::numeric_limits<double>::infinity();
       const double others = this->staysSharp() && this->mayWiden() ? shareOfSmoothed
         : endsEarly || smoothing > 1.0                             ? shareOfOthers
                                                                    : 0.0;
@@ -188,7 +188,7 @@ struct NumberRun
     RunControl rest = control;
     for (int widening = 0;; ++widening)
     {
-      this->mayEndEarly = widening < mostWidenings;
+      this->mayEndEarly = widening < maxWidenings;
       const Status status = this->make(std::ldexp(1.0, widening), rest);
       rest = rest.part(this->filled, 1.0);
       const bool fallsApart = this->outcome.result.fallsApart;

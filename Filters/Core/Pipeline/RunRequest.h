@@ -16,9 +16,9 @@ namespace remesh
 /** A distance of mesh and surface that is asked for instead of a number of points. */
 struct ToleranceRequest
 {
-  double tolerance = 0.0;      ///< 0: none is asked for
-  bool isAbsolute = false;     ///< in the unit of the points; else a fraction of the diagonal
-  Offset mostPoints = 1000000; ///< the run ends there, with a warning
+  double tolerance = 0.0;     ///< 0: none is asked for
+  bool isAbsolute = false;    ///< in the unit of the points; else a fraction of the diagonal
+  Offset maxPoints = 1000000; ///< the run ends there, with a warning
   /** Whether RemeshOptions::maximumExtraPoints is one percent of the number of each run. */
   bool extraIsOnePercent = false;
 };

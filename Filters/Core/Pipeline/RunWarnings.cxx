@@ -12,8 +12,8 @@ namespace remesh
 namespace
 {
 // Of the length of all creases, dropped ones:
-constexpr double leastDropped = 0.005;
-constexpr double mostDropped = 0.25;
+constexpr double minDropped = 0.005;
+constexpr double maxDropped = 0.25;
 
 /**
  * The RMS distance of a mesh that follows its surface, as shares of the mean spacing of its points
@@ -23,8 +23,8 @@ constexpr double mostDropped = 0.25;
  * 300, and at most 0.06 for meshes of graded and stretched embeddings that have the surface's
  * topology.)
  */
-constexpr double mostOfSpacing = 0.1;
-constexpr double mostOfLength = 0.07;
+constexpr double maxOfSpacing = 0.1;
+constexpr double maxOfLength = 0.07;
 
 /** The distance between neighbours, if points were spread evenly and hexagonally. */
 double hexagonalSpacing(const RunOutcome& outcome)
@@ -83,7 +83,7 @@ void tellDistance(const RunOutcome& outcome, std::vector<std::string>& warnings)
   }
   const double rms = outcome.result.distance->rms();
   const double length = lengthOfTriangles(outcome.result);
-  if (rms > std::max(mostOfSpacing * hexagonalSpacing(outcome), mostOfLength * length))
+  if (rms > std::max(maxOfSpacing * hexagonalSpacing(outcome), maxOfLength * length))
   {
     std::ostringstream warning;
     warning.precision(2);
@@ -102,7 +102,7 @@ void tellDroppedCreases(const PreparedSurface& prepared, std::vector<std::string
   const DroppedCreases& dropped = prepared.dropped;
   const double all = dropped.length + dropped.keptLength;
   const double share = all > 0.0 ? dropped.length / all : 0.0;
-  if (!(share > leastDropped && share < mostDropped))
+  if (!(share > minDropped && share < maxDropped))
   {
     return;
   }

@@ -1,10 +1,10 @@
 #include "Pipeline/ToleranceRun.h"
 
 #include "Mesh/Extent.h"
-#include "Run/MeshDistance.h"
 #include "Pipeline/FinerCreases.h"
 #include "Pipeline/NumberRun.h"
 #include "Pipeline/ToleranceSearch.h"
+#include "Run/MeshDistance.h"
 
 #include <algorithm>
 #include <sstream>
@@ -16,14 +16,14 @@ namespace
 constexpr Offset pilotPoints = 2000;
 constexpr int pilotIterations = 10;
 constexpr Offset roughSamples = 20000;
-constexpr Offset mostParts = 200000;    // for the bound that is reported
-constexpr int mostRuns = 4;             // whole ones, before refinement
-constexpr double enough = 0.95;         // of the points that features ask for
-constexpr double wellWithin = 0.8;      // of the tolerance: fewer points will do
-constexpr double fewestAtOnce = 0.3;    // of the points, in one descent
-constexpr Offset mostGrowth = 2;        // of the points, before finer creases are looked for
-constexpr double mostFarCells = 0.5;    // of those there were, where finer creases are kept
-constexpr double leastTolerance = 1e-7; // of the diagonal: single precision
+constexpr Offset maxParts = 200000;   // for the bound that is reported
+constexpr int maxRuns = 4;            // whole ones, before refinement
+constexpr double enough = 0.95;       // of the points that features ask for
+constexpr double wellWithin = 0.8;    // of the tolerance: fewer points will do
+constexpr double minAtOnce = 0.3;     // of the points, in one descent
+constexpr Offset maxGrowth = 2;       // of the points, before finer creases are looked for
+constexpr double maxFarCells = 0.5;   // of those there were, where finer creases are kept
+constexpr double minTolerance = 1e-7; // of the diagonal: single precision
 
 /** The whole run, with one number of points after the other. */
 struct ToleranceRun
@@ -90,7 +90,7 @@ struct ToleranceRun
   {
     DistanceOptions how;
     how.negligible = 0.05 * this->tolerance.tolerance;
-    how.maximumParts = mostParts;
+    how.maximumParts = maxParts;
     return how;
   }
 
@@ -116,13 +116,13 @@ struct ToleranceRun
     }
     return share > wellWithin || number <= least
       ? 0
-      : std::max(least, static_cast<Offset>(std::max(fewestAtOnce, share) * number));
+      : std::max(least, static_cast<Offset>(std::max(minAtOnce, share) * number));
   }
 
   /** Whole runs with the same creases. */
   Status approach(Offset number, RunControl control)
   {
-    for (int run = 0; run < mostRuns && number > 0; ++run)
+    for (int run = 0; run < maxRuns && number > 0; ++run)
     {
       control = control.part(0.0, 1.0);
       this->setNumber(number, this->request.options); // and of what goes on from there
@@ -171,9 +171,9 @@ struct ToleranceRun
         return made.ok() ? this->refine(0, control.part(0.9, 1.0), reached) : made;
       });
     const Offset most =
-      std::min(mostGrowth * coarse.result.components.count(), this->tolerance.mostPoints);
+      std::min(maxGrowth * coarse.result.components.count(), this->tolerance.maxPoints);
     kept = status.ok() && this->result.components.count() <= most &&
-      reached.farCells.size() <= mostFarCells * coarseReached.farCells.size();
+      reached.farCells.size() <= maxFarCells * coarseReached.farCells.size();
     if (!kept && status.code != StatusCode::Cancelled)
     {
       coarse.intakeSeconds = this->outcome.intakeSeconds; // of all runs
@@ -193,7 +193,7 @@ struct ToleranceRun
     const Status status = withinMemory([&]()
       { return findFinerCreases(this->request, this->outcome, reached.farCells, control, finer); });
     taken = status.ok() && finer.sites > 0 ? this->numberBeside(finer.neededPoints)
-                                           : this->tolerance.mostPoints;
+                                           : this->tolerance.maxPoints;
     return status.code == StatusCode::Cancelled ? status : Status::success();
   }
 
@@ -206,12 +206,12 @@ struct ToleranceRun
   Status refineOrTryCreases(const RunControl& control, ToleranceOutcome& reached, bool& goesOn)
   {
     goesOn = false;
-    const Offset any = this->tolerance.mostPoints;
+    const Offset any = this->tolerance.maxPoints;
     if (this->prepared.dropped.edges == 0)
     {
       return this->refine(any, control, reached);
     }
-    const Offset many = mostGrowth * this->result.components.count();
+    const Offset many = maxGrowth * this->result.components.count();
     Status status = this->refine(many, control.part(0.0, 0.2), reached);
     if (!status.ok() || reached.how == ToleranceOutcome::Kept)
     {
@@ -280,7 +280,7 @@ struct ToleranceRun
             << this->tolerance.tolerance << ": ";
     if (reached == ToleranceOutcome::TooManyPoints)
     {
-      warning << "it takes more than the " << this->tolerance.mostPoints << " points allowed.";
+      warning << "it takes more than the " << this->tolerance.maxPoints << " points allowed.";
     }
     else
     {
@@ -312,7 +312,7 @@ Status remeshWithin(RunRequest request, const RunControl& control, RunOutcome& o
   const double diagonal = boundingBoxDiagonal(run.prepared.mesh);
   run.tolerance.tolerance *= run.tolerance.isAbsolute ? 1.0 : diagonal;
   run.tolerance.isAbsolute = true;
-  if (!(run.tolerance.tolerance >= leastTolerance * diagonal))
+  if (!(run.tolerance.tolerance >= minTolerance * diagonal))
   {
     std::ostringstream message;
     message << "The distance tolerance is " << run.tolerance.tolerance
@@ -320,8 +320,8 @@ Status remeshWithin(RunRequest request, const RunControl& control, RunOutcome& o
             << ".";
     return Status::invalid(message.str());
   }
-  run.request.options.mostCurveError = 0.25 * run.tolerance.tolerance;
-  Offset number = std::min(pilotPoints, run.tolerance.mostPoints);
+  run.request.options.maxCurveError = 0.25 * run.tolerance.tolerance;
+  Offset number = std::min(pilotPoints, run.tolerance.maxPoints);
   Status status = run.pilot(control.part(0.03, 0.1), number);
   ToleranceOutcome reached;
   if (status.ok())

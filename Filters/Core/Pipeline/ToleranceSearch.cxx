@@ -17,11 +17,11 @@ namespace remesh
 namespace
 {
 constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
-constexpr double mostOnFeatures = 0.6;   // of the points, see sampleCurves
+constexpr double maxOnFeatures = 0.6;    // of the points, see sampleCurves
 constexpr int settlingSteps = 2;
-constexpr int mostRounds = 40;
-constexpr int mostIdleRounds = 14; // without progress
-constexpr int crowdingRounds = 2;  // likewise; then cells around far places get sites, too
+constexpr int maxRounds = 40;
+constexpr int maxIdleRounds = 14; // without progress
+constexpr int crowdingRounds = 2; // likewise; then cells around far places get sites, too
 /**
  * Share of cells with a far place from which on no others move for those that are added: they would
  * come to be too far themselves, so that the far places wander and do not end.
@@ -331,9 +331,9 @@ Offset numberForTolerance(const NumberTrial& pilot, const ToleranceRequest& requ
 {
   const double estimate =
     static_cast<double>(pilot.number) * pilot.mean / (meanOfTolerance * request.tolerance);
-  const double least = std::max(4.0, static_cast<double>(pilot.leastNumber) / mostOnFeatures);
+  const double least = std::max(4.0, static_cast<double>(pilot.minNumber) / maxOnFeatures);
   return static_cast<Offset>(
-    std::min(std::max(estimate, least), static_cast<double>(request.mostPoints)));
+    std::min(std::max(estimate, least), static_cast<double>(request.maxPoints)));
 }
 
 namespace
@@ -393,8 +393,8 @@ Status refineToTolerance(const RunRequest& request, Offset manyPoints, RunContro
     idle = share < progress * least ? 0 : idle + 1;
     least = std::min(least, share);
     const Offset number = result.components.count();
-    const Offset room = number < manyPoints ? request.tolerance.mostPoints - number : 0;
-    if (excess.empty() || room <= 0 || idle == mostIdleRounds || round == mostRounds)
+    const Offset room = number < manyPoints ? request.tolerance.maxPoints - number : 0;
+    if (excess.empty() || room <= 0 || idle == maxIdleRounds || round == maxRounds)
     {
       conclude(excess, room, reached);
       return Status::success();

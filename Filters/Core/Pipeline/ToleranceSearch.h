@@ -41,14 +41,14 @@ struct ToleranceOutcome
 /** What is known of a run when the number for the next one is chosen. */
 struct NumberTrial
 {
-  Offset number = 0;      ///< of points
-  double mean = 0.0;      ///< mean distance; of mesh to surface and back, the larger one
-  Offset leastNumber = 0; ///< of points that features take
+  Offset number = 0;    ///< of points
+  double mean = 0.0;    ///< mean distance; of mesh to surface and back, the larger one
+  Offset minNumber = 0; ///< of points that features take
 };
 
 /**
  * Step 1: the number of points for the run after the pilot. At least 4, and so many that features
- * take six tenths of them at most; but no more than `request.mostPoints`.
+ * take six tenths of them at most; but no more than `request.maxPoints`.
  *
  * @param request its tolerance is in the unit of the points.
  */

@@ -34,7 +34,7 @@ void SampleBlock::clear()
   this->counts.clear();
 }
 
-FitSamples::FitSamples(const PlacementProblem& problem, int samples, double mostBytes)
+FitSamples::FitSamples(const PlacementProblem& problem, int samples, double maxBytes)
   : m_problem(problem)
   , m_samples(samples)
   , m_unit(powerOfTwoBelow(boundingBoxDiagonal(problem.mesh)))
@@ -42,7 +42,7 @@ FitSamples::FitSamples(const PlacementProblem& problem, int samples, double most
 {
   const double groups =
     (static_cast<double>(samples) / lanes + 0.5) * static_cast<double>(problem.numberOfVertices());
-  if (groups * sizeof(SampleGroup) <= mostBytes)
+  if (groups * sizeof(SampleGroup) <= maxBytes)
   {
     m_kept.resize(static_cast<std::size_t>(m_blocks.count()));
   }

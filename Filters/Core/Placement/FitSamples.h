@@ -39,9 +39,9 @@ public:
 
   /**
    * @param samples of each vertex, see forEachSample.
-   * @param mostBytes that they may take, about, to be kept.
+   * @param maxBytes that they may take, about, to be kept.
    */
-  FitSamples(const PlacementProblem& problem, int samples, double mostBytes = usualBytes);
+  FitSamples(const PlacementProblem& problem, int samples, double maxBytes = usualBytes);
 
   const Blocks& blocks() const { return m_blocks; }
   /** A power of two near the surface's size, so that single precision holds surfaces of any. */

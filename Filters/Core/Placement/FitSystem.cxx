@@ -38,7 +38,7 @@ constexpr double shapeWeight = 0.012;
  * ellipsoid of 1000 points is fitted 27 % worse; with 0.05, scans 1 %.)
  */
 constexpr double dampingPerVariation = 0.02;
-constexpr double leastDamping = 1e-6; // the system stays definite (FitSystem.h)
+constexpr double minDamping = 1e-6; // the system stays definite (FitSystem.h)
 
 void addToDiagonal(double value, Symmetric3<double>& block)
 {
@@ -140,7 +140,7 @@ void addTie(const FitTask& task, std::size_t vertex, const Point3& position, Fit
 bool addToCenters(const FitTask& task, const std::vector<Point3>& positions,
   const RunControl& control, FitSystem& system)
 {
-  const double damping = leastDamping + dampingPerVariation * task.cells.variation;
+  const double damping = minDamping + dampingPerVariation * task.cells.variation;
   return forEachItem(static_cast<Offset>(positions.size()), control.silent(),
     [&](Offset item)
     {

@@ -18,9 +18,9 @@ Point3 centroidOf(const std::array<Point3, 3>& corners)
 }
 
 NearbySurface::NearbySurface(
-  const PlacementProblem& problem, double leastHeight, const WholeSurface* whole)
+  const PlacementProblem& problem, double minHeight, const WholeSurface* whole)
   : m_problem(problem)
-  , m_leastHeight(leastHeight)
+  , m_leastHeight(minHeight)
   , m_whole(whole)
   , m_reach(problem.mesh.facetPoints.size())
 {
@@ -127,7 +127,7 @@ Facing NearbySurface::facingOf(const Triple& components, const std::array<Point3
   const bool isAbove = *std::min_element(own.b, own.b + 3) > 0.0;
   const double within =
     isAbove ? (this->positionOf(own) - centroid).norm() : std::numeric_limits<double>::infinity();
-  return { cosine, std::min(cosine, m_whole->leastCosine(centroid, normal, own.facet, within)) };
+  return { cosine, std::min(cosine, m_whole->minCosine(centroid, normal, own.facet, within)) };
 }
 
 bool NearbySurface::isInverted(

@@ -37,14 +37,14 @@ class NearbySurface
 {
 public:
   /**
-   * @param leastHeight unit of the points; triangles less high, and far less than long, have no
+   * @param minHeight unit of the points; triangles less high, and far less than long, have no
    *        normal.
    * @param whole given, a triangle is inverted, too, where it faces against a facet of another part
    *        of the surface that is closer to its centroid: of another sheet, or beyond a fold. Of
    *        those that are as close, only if the closest point is on an edge of its own facet.
    */
   explicit NearbySurface(
-    const PlacementProblem& problem, double leastHeight = 0.0, const WholeSurface* whole = nullptr);
+    const PlacementProblem& problem, double minHeight = 0.0, const WholeSurface* whole = nullptr);
 
   /** The closest point; its facet is noIndex without pieces. */
   SurfaceLocation closest(const Index* begin, const Index* end, const Point3& point) const;

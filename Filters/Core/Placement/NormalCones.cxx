@@ -17,7 +17,7 @@ constexpr double rounding = 1e-6; // of the sine of a narrow cone's angle, at mo
  * The least cosine of a vector to the axis that makes it less than 90 degrees with all in the cone:
  * the sine of the cone's half angle, as the two angles must not sum to more than 90 degrees.
  */
-double leastCosine(const std::vector<Point3>& normals, const Point3& axis)
+double minCosine(const std::vector<Point3>& normals, const Point3& axis)
 {
   double widest = 1.0;
   for (const Point3& normal : normals)
@@ -59,7 +59,7 @@ NormalCones::NormalCones(const PlacementProblem& problem, const RunControl& cont
           if (length > 0.0)
           {
             const Point3 axis = sum / length;
-            m_cones[v] = { axis, leastCosine(normals, axis) };
+            m_cones[v] = { axis, minCosine(normals, axis) };
           }
         }
       }));

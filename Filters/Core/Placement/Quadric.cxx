@@ -11,7 +11,7 @@ namespace remesh
 namespace
 {
 /** Flatter directions are noise: the share of the largest eigenvalue below which one is cut off. */
-constexpr double leastEigenvalue = 1e-2;
+constexpr double minEigenvalue = 1e-2;
 
 Point3 minimiser(const Point3& center, const CellForms& forms, std::size_t vertex)
 {
@@ -27,7 +27,7 @@ Point3 minimiser(const Point3& center, const CellForms& forms, std::size_t verte
   Point3 shift = Point3::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    if (values[k] > leastEigenvalue * values[2])
+    if (values[k] > minEigenvalue * values[2])
     {
       const Point3 axis = solver.eigenvectors().col(k);
       shift += axis.dot(forms.slopes[vertex]) / (size * values[k]) * axis;

@@ -11,7 +11,7 @@ namespace remesh
 {
 namespace
 {
-constexpr double leastCosine = 0.5;
+constexpr double minCosine = 0.5;
 constexpr double largestStretch = 6.0;
 constexpr int lastLevel = 4; // the way is 2^-level, and 0 at the last one
 
@@ -35,7 +35,7 @@ bool isSpoilt(const Triple& triangle, const ShapeReference& reference, const Poi
   {
     const Point3 normal = surfaceNormal / length;
     const double cosine = cosineTo(normal, now);
-    if (!(cosine >= leastCosine || cosine >= cosineTo(normal, then)))
+    if (!(cosine >= minCosine || cosine >= cosineTo(normal, then)))
     {
       return true;
     }

@@ -17,7 +17,7 @@ Status findSuspects(const PlacementProblem& problem, const WholeSurface& whole,
         const auto [a, b, c] = cornersOf(triangle, mesh.points);
         const Offset piece = problem.components.pieceBegin[triangle[0]];
         const Index nearby = problem.diagram.facets[problem.components.pieces[piece]];
-        suspects[t] = whole.leastCosine((a + b + c) / 3.0, facetNormal(a, b, c), nearby) < 0.0;
+        suspects[t] = whole.minCosine((a + b + c) / 3.0, facetNormal(a, b, c), nearby) < 0.0;
       });
   return done ? Status::success() : Status::cancelled();
 }

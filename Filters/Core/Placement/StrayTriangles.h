@@ -20,7 +20,7 @@
 namespace remesh
 {
 /** With more strays, of so many triangles, points are too few: nothing is done about them. */
-inline Offset mostStrays(Offset triangles)
+inline Offset maxStrays(Offset triangles)
 {
   return std::min(triangles / 20, 50 + triangles / 100);
 }

@@ -33,8 +33,8 @@ constexpr ConjugateGradientsLimits solverLimits{ 100, 1e-2 }; // the next round 
  * can be 12.8 and 99.7 %, like this 6.8 and 99.0 %, free 6.4 and 91.9 %.)
  */
 constexpr double holdPerVariation = 0.3;
-constexpr double mostLoss = 0.0075; // by cells alone, which miss a quarter of it
-constexpr double firmly = 10.0;     // across the surface alone
+constexpr double maxLoss = 0.0075; // by cells alone, which miss a quarter of it
+constexpr double firmly = 10.0;    // across the surface alone
 
 class FitRounds
 {
@@ -174,7 +174,7 @@ Status fitToSurface(const PlacementProblem& problem, const CellForms& cells,
   {
     return Status::cancelled();
   }
-  if (shapes.held && limitSliding(problem, cells, mostLoss, shapes.positions, positions))
+  if (shapes.held && limitSliding(problem, cells, maxLoss, shapes.positions, positions))
   {
     anchors = positions;
     task.anchors = &anchors;

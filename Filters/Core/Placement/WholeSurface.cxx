@@ -22,7 +22,7 @@ WholeSurface::WholeSurface(const SurfaceMesh& mesh, const RunControl& control)
 {
 }
 
-double WholeSurface::leastCosine(
+double WholeSurface::minCosine(
   const Point3& place, const Point3& vector, Index facet, double within) const
 {
   std::vector<TriangleTree::Place> closest;

@@ -27,7 +27,7 @@ public:
    * @param facet one that may be close: saves time.
    * @param within distance: if no facet is closer than this, up to rounding, 1 is returned.
    */
-  double leastCosine(const Point3& place, const Point3& vector, Index facet,
+  double minCosine(const Point3& place, const Point3& vector, Index facet,
     double within = std::numeric_limits<double>::infinity()) const;
 
 private:

@@ -104,7 +104,7 @@ Status appendCornerArray(const SurfaceMesh& mesh, const PointArray& array, doubl
 
 bool lendCornerArrays(const SurfaceMesh& mesh,
   const std::vector<std::pair<PointArray, double>>& arrays, Offset numberOfInputPoints,
-  int leastDimension, CornerCoordinates& coordinates)
+  int minDimension, CornerCoordinates& coordinates)
 {
   std::vector<LentArray> lent;
   int total = coordinates.dimension;
@@ -117,7 +117,7 @@ bool lendCornerArrays(const SurfaceMesh& mesh,
     lent.push_back({ array.doubles, array.floats, array.dimension, scale });
     total += array.dimension;
   }
-  if (lent.empty() || total < leastDimension)
+  if (lent.empty() || total < minDimension)
   {
     return false;
   }

@@ -30,13 +30,13 @@ Status appendCornerArray(const SurfaceMesh& mesh, const PointArray& array, doubl
 /**
  * Appends arrays, each times its scale, without copying a value: with the same rows as above.
  *
- * @return false, and nothing was done, where that cannot be: for fewer than `leastDimension`
+ * @return false, and nothing was done, where that cannot be: for fewer than `minDimension`
  *         components in all; arrays that are not of doubles or floats one tuple after the other;
  *         merged points with different values; and whatever appendCornerArray calls invalid.
  */
 bool lendCornerArrays(const SurfaceMesh& mesh,
   const std::vector<std::pair<PointArray, double>>& arrays, Offset numberOfInputPoints,
-  int leastDimension, CornerCoordinates& coordinates);
+  int minDimension, CornerCoordinates& coordinates);
 
 /**
  * The mean over each facet's corners of a point array of one component.

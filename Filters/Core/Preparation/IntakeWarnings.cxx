@@ -13,11 +13,11 @@ namespace remesh
 namespace
 {
 /** Repeated triangles are told from one in so many on: a few are no sheet that is there twice. */
-constexpr Offset mostRepeated = 100;
+constexpr Offset maxRepeated = 100;
 
 /** Of the spacing: the rounding of coordinates that turns triangles round begins some bits later.
  */
-constexpr double mostRounding = 1.0 / 64.0;
+constexpr double maxRounding = 1.0 / 64.0;
 
 double largestOf(const std::vector<Point3>& points, int axis)
 {
@@ -67,19 +67,19 @@ void tellRounding(double precision, const SurfaceMesh& mesh, std::vector<std::st
   const double farthest = *std::max_element(largest.begin(), largest.end());
   double share = precision * farthest / spacing;
   bool isSingle = precision > DBL_EPSILON;
-  if (!isSingle && FLT_EPSILON * farthest / spacing > mostRounding && areSingles(mesh.points))
+  if (!isSingle && FLT_EPSILON * farthest / spacing > maxRounding && areSingles(mesh.points))
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const double single = FLT_EPSILON * largest[axis] / spacing;
-      if (single > mostRounding && needLastBit(mesh.points, axis, largest[axis]))
+      if (single > maxRounding && needLastBit(mesh.points, axis, largest[axis]))
       {
         isSingle = true;
         share = std::max(share, single);
       }
     }
   }
-  if (share > mostRounding)
+  if (share > maxRounding)
   {
     warnings.push_back("The coordinates are rounded to " + shortNumber(share) +
       " of the spacing of their points. Subtract an offset from them" +
@@ -100,7 +100,7 @@ void tellIntake(
       std::to_string(intake.gaps.points) + ". A MergeTolerance of " +
       shortNumber(intake.gaps.width) + " makes them one and closes the slits between them.");
   }
-  if (mostRepeated * intake.droppedDuplicate >= numberOfFacets)
+  if (maxRepeated * intake.droppedDuplicate >= numberOfFacets)
   {
     warnings.push_back(
       "A part of the surface is there twice: " + std::to_string(intake.droppedDuplicate) +

@@ -14,10 +14,10 @@ namespace remesh
 {
 namespace
 {
-constexpr double mostVariation = 2.0; // of sizes within a facet: above, it is too large for them
-constexpr double leastMet = 0.9;      // of the area, within a factor of sqrt 2, or it is told
-constexpr double flatness = 1e-6;     // of the diagonal: what is a plane
-constexpr double asymmetry = 1e-6;    // of the largest entry: rounding of single precision
+constexpr double maxVariation = 2.0; // of sizes within a facet: above, it is too large for them
+constexpr double minMet = 0.9;       // of the area, within a factor of sqrt 2, or it is told
+constexpr double flatness = 1e-6;    // of the diagonal: what is a plane
+constexpr double asymmetry = 1e-6;   // of the largest entry: rounding of single precision
 
 std::string nameOf(const PointArray& array)
 {
@@ -160,7 +160,7 @@ MetricFit fitOf(const MetricSurface& surface)
   for (std::size_t f = 0; f < shapes.size(); ++f)
   {
     area += shapes[f].area();
-    const bool isNear = shapes[f].variation <= mostVariation && stretches[f][0] >= std::sqrt(0.5) &&
+    const bool isNear = shapes[f].variation <= maxVariation && stretches[f][0] >= std::sqrt(0.5) &&
       stretches[f][1] <= std::sqrt(2.0);
     within += isNear ? shapes[f].area() : 0.0;
   }
@@ -175,7 +175,7 @@ MetricFit fitOf(const MetricSurface& surface)
 
 void tellFit(const MetricFit& fit, std::vector<std::string>& warnings)
 {
-  if (fit.within < leastMet)
+  if (fit.within < minMet)
   {
     std::ostringstream warning;
     warning.precision(2);

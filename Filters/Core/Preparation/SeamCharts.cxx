@@ -22,7 +22,7 @@ namespace remesh
 namespace
 {
 /** Of the points: as many may be on seams. */
-constexpr double mostOnSeams = 1.0 / 3.0;
+constexpr double maxOnSeams = 1.0 / 3.0;
 
 /** Of an array's range: what is left of equal values after they were rounded to 5 digits. */
 constexpr double rounding = 1e-4;
@@ -200,7 +200,7 @@ std::vector<Triple> findKeptSeams(
   if (seams.points > 0)
   {
     const double spacing = meanSpacing(mesh, request.numberOfSites);
-    const double most = mostOnSeams * static_cast<double>(request.numberOfSites) * spacing;
+    const double most = maxOnSeams * static_cast<double>(request.numberOfSites) * spacing;
     if (lengthOfSeams(mesh, seams.ofCorners, control) > most)
     {
       return {};

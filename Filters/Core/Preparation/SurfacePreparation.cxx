@@ -19,7 +19,7 @@ namespace remesh
 namespace
 {
 /** Share of wrinkles (Wrinkles.h) up to which bends are kept as they are. */
-constexpr double mostWrinkles = 0.05;
+constexpr double maxWrinkles = 0.05;
 
 /** The diagonal of the box around the points that triangles use. */
 double diagonalOf(const TriangleSoup& soup)
@@ -152,7 +152,7 @@ std::vector<Point3> smoothNormals(
   std::vector<Point3> smoothed = prepared.normals;
   smoothNormalsOver(prepared.mesh, *prepared.smoothingRadius, control, smoothed);
   if (!isGiven && request.mayStaySharp &&
-    wrinkledShare(prepared.mesh, prepared.normals, smoothed, s, control.silent()) <= mostWrinkles)
+    wrinkledShare(prepared.mesh, prepared.normals, smoothed, s, control.silent()) <= maxWrinkles)
   {
     prepared.smoothingRadius = 0.0;
     smoothed = prepared.normals;
@@ -310,7 +310,7 @@ Status embed(
   const PreparationRequest& request, const RunControl& control, PreparedSurface& prepared)
 {
   CornerCoordinates& made = prepared.coordinates;
-  const bool keep = made.isLent() || made.dimension <= request.mostKeptDimensions;
+  const bool keep = made.isLent() || made.dimension <= request.maxKeptDimensions;
   CornerCoordinates coordinates = keep ? made : std::exchange(made, CornerCoordinates());
   Status status = embedSurface(prepared.mesh, std::move(coordinates), control, prepared.surface);
   if (status.ok() && request.density)

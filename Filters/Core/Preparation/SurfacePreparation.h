@@ -74,7 +74,7 @@ struct PreparationRequest
    */
   bool mayLend = false;
   /** `coordinates` are kept for up to that many dimensions, and where they cost nothing. */
-  int mostKeptDimensions = std::numeric_limits<int>::max();
+  int maxKeptDimensions = std::numeric_limits<int>::max();
   bool mayRefine = false; ///< whether facets that are large against the spacing may be split
 
   /** Passes over the corners around each one, if they are asked for and no radius is; else 0. */

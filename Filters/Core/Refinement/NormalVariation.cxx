@@ -24,14 +24,14 @@ namespace
 /** Of the spacing: what is shorter is no larger than the cells. */
 constexpr double longest = 2.0;
 /** Of the spacing: how far the linear map may be from what the normals are. */
-constexpr double mostDeviation = 0.1;
+constexpr double maxDeviation = 0.1;
 /**
  * Of the angle between a given normal and the facet's plane: beyond 45 degrees it is that of a tip,
  * and nothing that the inside of the facet comes near to.
  */
-constexpr double leastCosine = 0.7071;
+constexpr double minCosine = 0.7071;
 /** Of the rounding of coordinates: facets that are lower are not split. */
-constexpr double leastRoundings = 64.0;
+constexpr double minRoundings = 64.0;
 
 constexpr Offset facetsPerFacet = 2;
 constexpr Offset facetsPerSite = 4;
@@ -78,7 +78,7 @@ bool mayNeedSplits(const OwnNormals& own, double s, Offset sites, const RunContr
     const auto facet = static_cast<Index>(item);
     return longestLength(pointsOf(mesh, facet)) > longest * spacing &&
       s * largestDifference(own.of(facet), mesh.facetCorners[facet], own.cornerNormals()) >
-      mostDeviation * spacing;
+      maxDeviation * spacing;
   };
   return countItems(mesh.numberOfFacets(), control, isLarge) > 0;
 }
@@ -183,7 +183,7 @@ public:
     const double spacing = this->spacingOf(surface.mesh);
     measure(surface.mesh, edges, wanted);
     wanted.marked.assign(wanted.lengths.size(), 0);
-    const double leastHeight = leastRoundings * roundingOf(surface.mesh);
+    const double minHeight = minRoundings * roundingOf(surface.mesh);
     for (Index f = 0; f < surface.mesh.numberOfFacets(); ++f)
     {
       const Triple& sides = edges.facetEdges[f];
@@ -197,16 +197,16 @@ public:
       const Normals own = m_splitNormals.of(surface.origins[f]);
       if (height > longest * spacing &&
         m_s * largestDifference(own, surface.mesh.facetCorners[f], m_normals) >
-          mostDeviation * spacing)
+          maxDeviation * spacing)
       {
         wanted.marked[sides[side]] = 1;
       }
-      for (int k = 0; k < 3 && height > leastHeight; ++k)
+      for (int k = 0; k < 3 && height > minHeight; ++k)
       {
         if (wanted.lengths[sides[k]] > longest * spacing && !wanted.marked[sides[k]])
         {
           wanted.marked[sides[k]] =
-            m_s * this->deviationAt(surface, edges, f, k) > mostDeviation * spacing;
+            m_s * this->deviationAt(surface, edges, f, k) > maxDeviation * spacing;
         }
       }
     }
@@ -315,7 +315,7 @@ std::array<Point3, 3> OwnNormals::of(Index facet) const
     const Point3 normal = (*m_given)[inputs[k]].stableNormalized();
     const bool counts = !m_cutPoints[m_mesh.facetPoints[facet][k]] && normal.squaredNorm() > 0.5;
     own[k] = counts ? normal : m_normals[m_mesh.facetCorners[facet][k]];
-    areNear[k] = own[k].dot(plane) >= leastCosine;
+    areNear[k] = own[k].dot(plane) >= minCosine;
   }
   const bool anyNear = areNear[0] || areNear[1] || areNear[2];
   for (int k = 0; k < 3 && anyNear; ++k)

@@ -3,7 +3,7 @@
  * @brief A surface whose facets were split, and where each of them lies on the one it was before.
  *
  * Splits are at the middles of edges, so that barycentric coordinates of the new corners are exact
- * (multiples of 2^-k, k the number of splits, at most `mostSplits`). The places of middles are
+ * (multiples of 2^-k, k the number of splits, at most `maxSplits`). The places of middles are
  * rounded to doubles, alike for all facets around: the surface stays closed, and is off by no more
  * than that rounding.
  */
@@ -19,7 +19,7 @@
 namespace remesh
 {
 /** Floats hold multiples of 2^-24 up to 1. */
-constexpr int mostSplits = 24;
+constexpr int maxSplits = 24;
 
 struct FacetOrigin
 {

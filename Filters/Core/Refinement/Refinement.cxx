@@ -87,7 +87,7 @@ bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
 {
   bool any = false;
   bool fits = true;
-  for (int round = 0; round < limits.mostRounds && fits && !control.cancelled(); ++round)
+  for (int round = 0; round < limits.maxRounds && fits && !control.cancelled(); ++round)
   {
     const EdgeTable own =
       surface.features ? EdgeTable{} : buildEdgeTable(surface.mesh.facetPoints, control);
@@ -103,7 +103,7 @@ bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
       break;
     }
     closeMarks(edges, wanted);
-    const Offset room = limits.mostFacets - surface.mesh.numberOfFacets();
+    const Offset room = limits.maxFacets - surface.mesh.numberOfFacets();
     fits = addedBy(edges, wanted) <= room;
     if (!fits)
     {

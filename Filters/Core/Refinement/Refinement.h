@@ -21,8 +21,8 @@ using SplitCriterion =
 
 struct RefinementLimits
 {
-  Offset mostFacets = 0;      ///< that the surface may come to have
-  int mostRounds = mostSplits; ///< each halves the edges that are too long
+  Offset maxFacets = 0;      ///< that the surface may come to have
+  int maxRounds = maxSplits; ///< each halves the edges that are too long
 };
 
 /**

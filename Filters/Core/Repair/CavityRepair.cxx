@@ -11,9 +11,9 @@ namespace remesh
 {
 namespace
 {
-constexpr std::size_t mostTriangles = 40;
-constexpr std::size_t mostCavities = 500;
-constexpr std::size_t mostSteps = 300000; // of the fillings
+constexpr std::size_t maxTriangles = 40;
+constexpr std::size_t maxCavities = 500;
+constexpr std::size_t maxSteps = 300000; // of the fillings
 
 /** The corner beyond edge k of a triangle, and the one where it comes into the polygon. */
 struct NextCorner
@@ -85,12 +85,12 @@ public:
 private:
   bool isOver() const
   {
-    return m_seen.size() >= mostCavities || m_steps >= mostSteps || m_control.cancelled();
+    return m_seen.size() >= maxCavities || m_steps >= maxSteps || m_control.cancelled();
   }
 
   Filling fill(const Cavity& cavity)
   {
-    if (m_steps >= mostSteps || m_control.cancelled())
+    if (m_steps >= maxSteps || m_control.cancelled())
     {
       return {};
     }
@@ -104,10 +104,10 @@ private:
     std::vector<Cavity> found;
     for (const Cavity& cavity : cavities)
     {
-      for (std::size_t i = 0;
-           i < cavity.triangles.size() && cavity.triangles.size() < mostTriangles; ++i)
+      for (std::size_t i = 0; i < cavity.triangles.size() && cavity.triangles.size() < maxTriangles;
+           ++i)
       {
-        for (int k = 0; k < 3 && m_seen.size() < mostCavities; ++k)
+        for (int k = 0; k < 3 && m_seen.size() < maxCavities; ++k)
         {
           const NextCorner next = nextCorner(m_mesh, cavity, cavity.triangles[i], k);
           if (next.triangle == noIndex)

@@ -13,10 +13,10 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostPasses = 4;
+constexpr int maxPasses = 4;
 constexpr Offset noLimit = std::numeric_limits<Offset>::max(); // to pairs left: few were given
 constexpr double gapWeight = 10.0; // of the distance from the surface, to that of a neighbour
-constexpr double mostGap = 0.02;   // more distance from the surface, likewise
+constexpr double maxGap = 0.02;    // more distance from the surface, likewise
 constexpr double beyond = 1.25;    // of the way to the other triangle's plane
 
 Offset crossingsOf(const std::vector<Index>& triangles, const CrossingSearch& search)
@@ -53,7 +53,7 @@ public:
     , m_star(mesh.star(vertex))
     , m_limit(mesh.costOfStar(m_star) + 0.5 * strayCost) // so that nothing else flips
     , m_radius(radiusAround(vertex, mesh))
-    , m_largestGap(this->gap() + mostGap * m_radius)
+    , m_largestGap(this->gap() + maxGap * m_radius)
   {
     for (const Index t : m_star)
     {
@@ -224,7 +224,7 @@ void repairCrossings(const RepairContext& context, const CrossingSearch::Pairs& 
   CrossingSearch& search, RepairedMesh& mesh, MeshEdits& edits)
 {
   CrossingSearch::Pairs left = pairs;
-  for (int pass = 0; pass < mostPasses && !left.empty(); ++pass)
+  for (int pass = 0; pass < maxPasses && !left.empty(); ++pass)
   {
     Offset done = 0;
     for (const std::pair<Index, Index>& pair : left)

@@ -77,7 +77,7 @@ WrongTriangles findWrongTriangles(
   InvertedSearch search(surface);
   std::vector<Index> wrong;
   status = search.find(problem.triangles, centroids, control, wrong, &suspects);
-  const bool haveSides = static_cast<Offset>(wrong.size() - inverted.size()) <= mostStrays(count);
+  const bool haveSides = static_cast<Offset>(wrong.size() - inverted.size()) <= maxStrays(count);
   return !status.ok() || wrong.empty() ? WrongTriangles{}
     : haveSides                        ? leftWrong(problem, surface, steps, control, search)
                                        : leftWrong(problem, own, steps, control, ownSearch);

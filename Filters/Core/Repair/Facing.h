@@ -23,7 +23,7 @@ struct WrongTriangles
  * Puts the vertices at the centroids of their cells, and repairs a copy of that mesh by these steps
  * (MeshRepair.h). Returns the triangles that still face the wrong way then.
  *
- * With more strays than `mostStrays` (StrayTriangles.h), the surface goes through itself: no strays
+ * With more strays than `maxStrays` (StrayTriangles.h), the surface goes through itself: no strays
  * are returned then. With more than a quarter of the triangles inverted, the surface has no sides
  * to tell: the repair is left out, and all of them are returned.
  *

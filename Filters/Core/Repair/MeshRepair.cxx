@@ -167,7 +167,7 @@ struct PassRow
 {
   const char* name;
   Pass pass;
-  int mostEdits;
+  int maxEdits;
   int patience;
 };
 
@@ -187,7 +187,7 @@ Improvement<MeshCandidate>::Table tableOf(MeshSteps steps)
     if (row.pass.steps <= steps)
     {
       const bool refills = steps == MeshSteps::Refill && row.pass.mayWorsen;
-      table.push_back({ row.name, std::make_unique<PassProposal>(row.pass, refills), row.mostEdits,
+      table.push_back({ row.name, std::make_unique<PassProposal>(row.pass, refills), row.maxEdits,
         row.patience });
     }
   }

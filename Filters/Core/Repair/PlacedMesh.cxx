@@ -61,7 +61,7 @@ struct Repair
     {
       return status;
     }
-    const NearbySurface surface(this->problem, leastHeight(this->problem.mesh), &this->whole);
+    const NearbySurface surface(this->problem, minHeight(this->problem.mesh), &this->whole);
     InvertedSearch search(surface);
     std::vector<Index> wrong;
     // Where none faces against its own cells, only the suspects can be inverted.
@@ -71,7 +71,7 @@ struct Repair
     const auto count = static_cast<Offset>(wrong.size());
     this->placed.strays = std::max(count - this->placed.edits.inverted, Offset(0));
     if (!status.ok() || this->placed.strays == 0 ||
-      count > mostStrays(static_cast<Offset>(this->triangles.size())))
+      count > maxStrays(static_cast<Offset>(this->triangles.size())))
     {
       return status;
     }
@@ -107,14 +107,14 @@ struct Repair
   {
     CrossingSearch search(this->triangles, this->placed.positions, this->control);
     std::vector<std::pair<Index, Index>> pairs;
-    const Offset most = mostStrays(static_cast<Offset>(this->triangles.size()));
+    const Offset most = maxStrays(static_cast<Offset>(this->triangles.size()));
     Status status = findPartable(this->problem, search, most, this->control, pairs);
     this->placed.crossings = static_cast<Offset>(pairs.size());
     if (!status.ok() || pairs.empty() || this->placed.crossings > most)
     {
       return status;
     }
-    const NearbySurface surface(this->problem, leastHeight(this->problem.mesh), &this->whole);
+    const NearbySurface surface(this->problem, minHeight(this->problem.mesh), &this->whole);
     RepairedMesh mesh(this->problem, surface, this->start, this->triangles, this->placed.positions);
     repairCrossings({ this->problem, this->onSurface, this->control, true, 0.0 }, pairs, search,
       mesh, this->placed.edits);
@@ -143,7 +143,7 @@ Status repairPlacedMesh(const PlacementProblem& problem, VertexPlacement way,
   }
   Repair repair{ problem, silent, start, onSurface, problem.whole ? *problem.whole : *made,
     triangles, placed };
-  const NearbySurface own(problem, leastHeight(problem.mesh));
+  const NearbySurface own(problem, minHeight(problem.mesh));
   Status status = repair.turnInverted(own);
   if (status.ok())
   {

@@ -23,7 +23,7 @@ namespace remesh
 namespace
 {
 constexpr int settlingSteps = 2;     // of Lloyd, after an edit
-constexpr double mostFailures = 0.1; // of the vertices
+constexpr double maxFailures = 0.1;  // of the vertices
 constexpr double fewInverted = 5e-5; // of the triangles: edge flips may mend them all
 
 /** So few of the triangles that edge flips may mend them all. */
@@ -53,7 +53,7 @@ SiteCandidate::SiteCandidate(const Task& task, bool othersStay, RemeshResult& re
   : m_task(task)
   , m_result(result)
   , m_othersStay(othersStay)
-  , m_leastFree(task.leastFreeSites(result.shareApart))
+  , m_leastFree(task.minFreeSites(result.shareApart))
 {
 }
 
@@ -234,10 +234,10 @@ bool SiteCandidate::mayChange() const
 bool SiteCandidate::fallsApart() const
 {
   return static_cast<double>(m_result.components.count()) >
-    m_task.options.mostComponents * static_cast<double>(m_result.numberOfVertexSites());
+    m_task.options.maxComponents * static_cast<double>(m_result.numberOfVertexSites());
 }
 
-Offset SiteCandidate::leastVertices() const
+Offset SiteCandidate::minVertices() const
 {
   return m_result.components.count() - (m_result.sites.count() - m_result.sites.fixed);
 }
@@ -245,14 +245,14 @@ Offset SiteCandidate::leastVertices() const
 Offset SiteCandidate::wantedVertices() const
 {
   return m_task.options.exactNumber
-    ? std::max(m_task.options.numberOfSites, this->leastVertices() + m_leastFree) + m_extraPoints
+    ? std::max(m_task.options.numberOfSites, this->minVertices() + m_leastFree) + m_extraPoints
     : m_result.components.count();
 }
 
 bool SiteCandidate::isHopeless(Offset faults) const
 {
   return static_cast<double>(faults) >
-    mostFailures * static_cast<double>(m_result.components.count());
+    maxFailures * static_cast<double>(m_result.components.count());
 }
 
 std::vector<Index> SiteCandidate::failingSites() const
@@ -274,7 +274,7 @@ bool SiteCandidate::hasRoomOnCurves(Offset places) const
 {
   const RemeshOptions& options = m_task.options;
   return !options.exactNumber ||
-    this->leastVertices() + m_leastFree + places <= options.numberOfSites + m_extraPoints;
+    this->minVertices() + m_leastFree + places <= options.numberOfSites + m_extraPoints;
 }
 
 bool SiteCandidate::revise(
@@ -305,7 +305,7 @@ bool SiteCandidate::refineCurves(
 {
   const Offset before = m_result.featureSites.numberOfPoints();
   const Offset vertices = std::max(m_task.options.numberOfSites, m_result.numberOfVertexSites());
-  const Offset most = m_task.mostPointsOnFeatures(vertices, m_result.shareApart);
+  const Offset most = m_task.maxPointsOnFeatures(vertices, m_result.shareApart);
   const FeaturedSurface featured = m_task.featured();
   RefinedCurves refined = refinedCurves(featured, intrusions, m_result.featureSites);
   if (refined.places == 0)
@@ -324,7 +324,7 @@ bool SiteCandidate::refineCurves(
   // What is new on curves is no vertex of the diagram yet.
   const Offset onCurves = m_result.featureSites.numberOfPoints() - before;
   const Offset wanted = m_task.options.exactNumber
-    ? std::max(m_task.options.numberOfSites - onCurves, this->leastVertices()) + m_extraPoints
+    ? std::max(m_task.options.numberOfSites - onCurves, this->minVertices()) + m_extraPoints
     : m_result.components.count() - static_cast<Offset>(refinement.removed.size());
   this->revise(std::move(refinement), this->certificate(), wanted);
   replaceFixed(m_result.featureSites, m_result.sites);

@@ -58,7 +58,7 @@ public:
    * its features are kept.
    */
   bool mayChange() const;
-  /** Whether cells fall into more parts than RemeshOptions::mostComponents allows. */
+  /** Whether cells fall into more parts than RemeshOptions::maxComponents allows. */
   bool fallsApart() const;
 
   const Task& task() const { return m_task; }
@@ -77,7 +77,7 @@ public:
   const std::vector<Index>& strayTriangles() const { return m_strays; }
 
   /** Vertices less the free sites: those on features, and one for each further part of a cell. */
-  Offset leastVertices() const;
+  Offset minVertices() const;
   /**
    * How many vertices the mesh is to have now. If a number is asked for: that number, or more if
    * too few free sites would be left, and `extraPoints`. If not: as many as there are.
@@ -135,7 +135,7 @@ private:
   bool m_othersStay;
   bool m_countsFacing = false;
   Verdict m_start;             ///< before triangles that face the wrong way were first counted
-  Offset m_leastFree;          ///< free sites that stay, see Task::leastFreeSites
+  Offset m_leastFree;          ///< free sites that stay, see Task::minFreeSites
   EdgeTable m_edges;           ///< of the surface, as it is cut open
   std::vector<Index> m_owners; ///< C, the site nearest to each corner, in the present diagram
   SharedSites m_judged; ///< sites of the present diagram; nullptr: none, or sites never change

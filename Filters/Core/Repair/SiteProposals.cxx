@@ -140,7 +140,7 @@ public:
       [&](const Intrusion& intrusion)
       { return std::binary_search(failing.begin(), failing.end(), intrusion.component); });
     const RemeshOptions& options = candidate.task().options;
-    const Offset least = candidate.leastVertices();
+    const Offset least = candidate.minVertices();
     const bool fits = !options.exactNumber || least > options.numberOfSites ||
       least + countSections(found) <= options.numberOfSites + candidate.extraPoints();
     return fits && !found.empty() && candidate.refineCurves(found, control);
@@ -232,7 +232,7 @@ public:
     const bool helps = m_counts.size() < 2 || 2 * count <= m_counts[m_counts.size() - 2];
     const auto triangles = static_cast<Offset>(candidate.result().dual.triangles.size());
     return helps && count > 0 &&
-      (m_strays ? count <= mostStrays(triangles) : !candidate.isHopeless(count));
+      (m_strays ? count <= maxStrays(triangles) : !candidate.isHopeless(count));
   }
 
   bool change(SiteCandidate& candidate, int /*edit*/, const RunControl& /*control*/) override

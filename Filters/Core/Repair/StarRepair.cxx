@@ -10,7 +10,7 @@ namespace remesh
 {
 namespace
 {
-constexpr std::size_t mostSamples = 12;
+constexpr std::size_t maxSamples = 12;
 
 Point3 meanOf(const std::vector<Index>& vertices, const std::vector<Point3>& positions)
 {
@@ -42,7 +42,7 @@ std::vector<Point3> placesFor(
   }
   const Offset begin = components.pieceBegin[vertex];
   const auto pieces = static_cast<std::size_t>(components.pieceBegin[vertex + 1] - begin);
-  const std::size_t samples = std::min(pieces, mostSamples);
+  const std::size_t samples = std::min(pieces, maxSamples);
   for (std::size_t k = 0; k < samples; ++k)
   {
     const Index facet =

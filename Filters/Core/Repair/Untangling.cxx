@@ -13,12 +13,12 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 12;     // each with the surface's normals anew
-constexpr int sweeps = 6;          // over the vertices, in a round
-constexpr double leastArea = 0.05; // of the mean
-constexpr double damping = 1e-3;   // of the gradients' squares
-constexpr double mostError = 1.5;  // of the error before
-constexpr double noError = 1e-6;   // as if the triangles were a thousandth of their size away
+constexpr int maxRounds = 12;    // each with the surface's normals anew
+constexpr int sweeps = 6;        // over the vertices, in a round
+constexpr double minArea = 0.05; // of the mean
+constexpr double damping = 1e-3; // of the gradients' squares
+constexpr double maxError = 1.5; // of the error before
+constexpr double noError = 1e-6; // as if the triangles were a thousandth of their size away
 
 /** The vertices that may move, and the triangles that change with them. */
 class Patch
@@ -119,7 +119,7 @@ public:
       const Triple& triangle = m_mesh.triangles()[t];
       m_normals.push_back(m_surface.normalNear(triangle, cornersOf(triangle, m_mesh.positions())));
     }
-    m_wanted = leastArea * this->area() / static_cast<double>(m_triangles.size());
+    m_wanted = minArea * this->area() / static_cast<double>(m_triangles.size());
   }
 
   /** Moves each vertex back as far as nothing around it flips; tells how many stay away. */
@@ -227,8 +227,8 @@ Offset untangle(const NearbySurface& surface, Index triangle, int rings, const R
   {
     return 0;
   }
-  const double error = mostError * patch.error() + patch.negligibleError();
-  for (int round = 0; round < mostRounds && !control.cancelled(); ++round)
+  const double error = maxError * patch.error() + patch.negligibleError();
+  for (int round = 0; round < maxRounds && !control.cancelled(); ++round)
   {
     patch.look();
     for (int k = 0; k < sweeps; ++k)

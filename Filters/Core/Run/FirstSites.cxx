@@ -20,16 +20,16 @@ namespace remesh
 namespace
 {
 constexpr Offset growth = 4; // times as many sites, where each pair of neighbours has one
-constexpr Offset fewestCoarse = 100;
-constexpr Offset fewestForFixed = 20; // sites in all: beside fixed ones nothing grows
-constexpr Offset probes = 4000;       // of the surface
-constexpr int mostSamplings = 3;      // of the curves
-constexpr double fewOthers = 0.005;   // of all points, from one sampling to the next
+constexpr Offset minCoarse = 100;
+constexpr Offset minForFixed = 20;  // sites in all: beside fixed ones nothing grows
+constexpr Offset probes = 4000;     // of the surface
+constexpr int maxSamplings = 3;     // of the curves
+constexpr double fewOthers = 0.005; // of all points, from one sampling to the next
 /**
  * Times the points on curves, to keep these apart. Where it takes more, parts go through each other
  * as a rule, and nothing is apart with more, either.
  */
-constexpr double mostForApart = 1.5;
+constexpr double maxForApart = 1.5;
 constexpr int coarseLloyd = 2;
 constexpr int coarseNewton = 8;
 
@@ -66,10 +66,10 @@ Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult&
   const FeaturedSurface featured = task.featured();
   const std::vector<char> all(featured.features.curves.size(), 1);
   CurveSampler sampler(featured,
-    { task.options.numberOfSites, task.options.mostCurveError, task.options.curvesFollowBends });
+    { task.options.numberOfSites, task.options.maxCurveError, task.options.curvesFollowBends });
   result.neededFeaturePoints = sampler.limitBends(control);
   Offset others = 0;
-  for (int round = 0; round < mostSamplings && !control.cancelled(); ++round)
+  for (int round = 0; round < maxSamplings && !control.cancelled(); ++round)
   {
     sampler.findSpacing(others, control);
     if (control.cancelled())
@@ -83,8 +83,8 @@ Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult&
     result.shareApart =
       shareApart(task.surface, result.featureSites.sites, sampler.spacing(), control);
     const Offset most =
-      std::min(task.mostPointsOnFeatures(task.options.numberOfSites, result.shareApart),
-        static_cast<Offset>(mostForApart * aligned));
+      std::min(task.maxPointsOnFeatures(task.options.numberOfSites, result.shareApart),
+        static_cast<Offset>(maxForApart * aligned));
     const Index added =
       separateCurves(featured, all, { most, sampler.spacing() }, control, result.featureSites);
     result.curvesAreApart = added > 0 && result.featureSites.numberOfPoints() < most;
@@ -141,7 +141,7 @@ Status relaxCoarse(const Task& task, const RunControl& control, RemeshResult& co
 Status growFreeSites(const Task& task, const RunControl& control, RemeshResult& result)
 {
   const Offset coarseSites = (result.sites.count() - result.sites.fixed) / growth;
-  if (coarseSites < fewestCoarse || result.sites.count() / fewestForFixed < result.sites.fixed)
+  if (coarseSites < minCoarse || result.sites.count() / minForFixed < result.sites.fixed)
   {
     return Status::success();
   }

@@ -8,15 +8,15 @@ namespace remesh
 {
 namespace
 {
-constexpr std::size_t mostExamined = 100000;
-constexpr Offset fewestSamples = 20000; // of each surface, however few its triangles
+constexpr std::size_t maxExamined = 100000;
+constexpr Offset minSamples = 20000; // of each surface, however few its triangles
 constexpr Offset samplesOfTriangle = 3;
 constexpr Offset manySamples = 60000; // beyond which one of each triangle does
 
-/** Every k-th triangle, so that there are `mostExamined` at most. */
+/** Every k-th triangle, so that there are `maxExamined` at most. */
 std::vector<Triple> examinedOf(const std::vector<Triple>& triangles)
 {
-  const std::size_t step = (triangles.size() + mostExamined - 1) / mostExamined;
+  const std::size_t step = (triangles.size() + maxExamined - 1) / maxExamined;
   std::vector<Triple> some;
   for (std::size_t t = 0; t < triangles.size(); t += step)
   {
@@ -47,7 +47,7 @@ Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshRe
     const std::vector<Triple> some = examinedOf(from.triangles);
     const auto count = static_cast<Offset>(some.size());
     options.numberOfSamples =
-      fewestSamples + std::min(samplesOfTriangle * count, std::max(manySamples, count));
+      minSamples + std::min(samplesOfTriangle * count, std::max(manySamples, count));
     const TriangleTree tree(to, control);
     return !tree.empty() &&
       measureOneSidedDistance({ from.points, some }, tree, options, control, distance).ok();

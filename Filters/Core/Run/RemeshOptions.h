@@ -40,9 +40,9 @@ struct RemeshOptions
    * With more components than this for each site, copies of a vertex counted once, the cells have
    * fallen apart: the run ends at its first diagram, and sets `fallsApart`.
    */
-  double mostComponents = std::numeric_limits<double>::infinity();
+  double maxComponents = std::numeric_limits<double>::infinity();
   /** The largest distance of the mesh's feature curves from the surface's; unit of the points. */
-  double mostCurveError = std::numeric_limits<double>::infinity();
+  double maxCurveError = std::numeric_limits<double>::infinity();
   /** Whether features get more points where they bend. False: by their length in R^d alone. */
   bool curvesFollowBends = true;
   /** False: the diagram is freed once the vertices are placed, as it takes much memory. */

@@ -70,7 +70,7 @@ struct Task
    * @param vertices of the mesh.
    * @param shareApart from 0 to 1: share of the surface that is far from features.
    */
-  Offset mostPointsOnFeatures(Offset vertices, double shareApart) const
+  Offset maxPointsOnFeatures(Offset vertices, double shareApart) const
   {
     const double share = std::clamp(1.0 - 0.5 * shareApart, 0.6, 0.9);
     return static_cast<Offset>(share * static_cast<double>(vertices));
@@ -83,7 +83,7 @@ struct Task
    *
    * @param shareApart as above.
    */
-  Offset leastFreeSites(double shareApart) const
+  Offset minFreeSites(double shareApart) const
   {
     const double share = 0.2 * std::max(shareApart - 0.3, 0.0);
     return static_cast<Offset>(share * static_cast<double>(this->options.numberOfSites));

@@ -10,9 +10,9 @@ namespace remesh
 {
 namespace
 {
-constexpr Index mostDense = 500;  // points; 0.3 s
-constexpr Index leastBasis = 120; // vectors for one band
-constexpr Index mostBasis = 400;  // 3.2 kB for each point; a third of them converge
+constexpr Index maxDense = 500; // points; 0.3 s
+constexpr Index minBasis = 120; // vectors for one band
+constexpr Index maxBasis = 400; // 3.2 kB for each point; a third of them converge
 constexpr double pi = 3.14159265358979323846;
 
 Status findDense(const SurfaceLaplacian& laplacian, Index count, Eigenpairs& pairs)
@@ -62,7 +62,7 @@ private:
   /** Vectors for what is left. */
   Index basis() const
   {
-    return m_effort * std::clamp(3 * (m_wanted - this->count() + 8), leastBasis, mostBasis);
+    return m_effort * std::clamp(3 * (m_wanted - this->count() + 8), minBasis, maxBasis);
   }
 
   /** A band whose lower half should reach the last one; nearer and nearer until it does. */
@@ -242,8 +242,8 @@ void turn(Eigenpairs& pairs)
 Status findEigenfunctions(
   const SurfaceLaplacian& laplacian, Index count, const RunControl& control, Eigenpairs& pairs)
 {
-  Status status = laplacian.size <= mostDense ? findDense(laplacian, count, pairs)
-                                              : Bands(laplacian, count, control).run(pairs);
+  Status status = laplacian.size <= maxDense ? findDense(laplacian, count, pairs)
+                                             : Bands(laplacian, count, control).run(pairs);
   if (status.ok())
   {
     turn(pairs);

@@ -174,9 +174,9 @@ template <class KeyOf>
 [[nodiscard]] bool groupByKey(
   Offset count, Index numberOfKeys, const RunControl& control, const KeyOf& keyOf, Groups& groups)
 {
-  constexpr Index mostCoarse = 1024;
+  constexpr Index maxCoarse = 1024;
   int lowBits = 0;
-  while (numberOfKeys >> lowBits > mostCoarse)
+  while (numberOfKeys >> lowBits > maxCoarse)
   {
     ++lowBits;
   }

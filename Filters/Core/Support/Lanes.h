@@ -33,7 +33,7 @@ constexpr int wholeLanes(int count)
 }
 
 /** The least of so many numbers. */
-[[gnu::always_inline]] inline double leastOfLanes(const double* n)
+[[gnu::always_inline]] inline double minOfLanes(const double* n)
 {
   const double low = std::min(std::min(n[0], n[1]), std::min(n[2], n[3]));
   const double high = std::min(std::min(n[4], n[5]), std::min(n[6], n[7]));

@@ -30,7 +30,7 @@ public:
     const std::vector<Index>& owners, BisectorPacks& packs, InstructionSet instructions);
 
   /** Whether the surface has few enough coordinates for batches. */
-  bool serves() const { return m_surface.dimension <= mostBatchDimensions; }
+  bool serves() const { return m_surface.dimension <= maxBatchDimensions; }
 
   /**
    * Facets with so many different owners, two or three: calls `add(site, sums, lane)` for each

@@ -17,7 +17,7 @@ class BisectorPacks
 {
 public:
   /** More coordinates than this, and packing them costs more than it saves. */
-  static constexpr int mostDimensions = 16;
+  static constexpr int maxDimensions = 16;
 
   BisectorPacks(const Sites& sites, const NeighborLists& lists, InstructionSet instructions);
 

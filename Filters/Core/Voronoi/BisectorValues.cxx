@@ -34,7 +34,7 @@ struct Minimum
       sum = row - 2.0 * sum;
       double* v = task.values + first;
       store(sum, v);
-      least = std::min(least, leastOfLanes(v));
+      least = std::min(least, minOfLanes(v));
     }
     return least;
   }

@@ -41,7 +41,7 @@ struct EdgeCourse
   int last;
   double along = 0.0;
   int count = 0;
-  Takeover takeovers[Envelope::mostSites + 1];
+  Takeover takeovers[Envelope::maxSites + 1];
 };
 
 /** The two least of numbers. */
@@ -67,11 +67,11 @@ struct LeastTwo
 template <class L>
 struct Tracing : EnvelopeBuilder
 {
-  using Slots = double[Envelope::mostSites];
-  static constexpr unsigned long long slotBits = Envelope::mostSites - 1;
-  static_assert((Envelope::mostSites & slotBits) == 0);
+  using Slots = double[Envelope::maxSites];
+  static constexpr unsigned long long slotBits = Envelope::maxSites - 1;
+  static_assert((Envelope::maxSites & slotBits) == 0);
 
-  OpenEnd open[Envelope::mostVertices];
+  OpenEnd open[Envelope::maxVertices];
   int numberOpen = 0;
   EdgeCourse edges[3];
   alignas(64) Slots reached[3];
@@ -192,7 +192,7 @@ struct Tracing : EnvelopeBuilder
         return false;
       }
     }
-    return edges[0].count + edges[1].count + edges[2].count + 3 <= Envelope::mostVertices;
+    return edges[0].count + edges[1].count + edges[2].count + 3 <= Envelope::maxVertices;
   }
 
   /** The ends of borders on an edge of the facet. */
@@ -260,7 +260,7 @@ struct Tracing : EnvelopeBuilder
     numbered[0][end.third < 0 ? i : end.third] = never;
     const double widest = std::max({ std::abs(way0), std::abs(way1), std::abs(way2) });
     const int third = this->firstReached(0, closest / widest);
-    if (third < 0 || this->envelope.numberOfVertices + 3 > Envelope::mostVertices)
+    if (third < 0 || this->envelope.numberOfVertices + 3 > Envelope::maxVertices)
     {
       return false;
     }
@@ -268,7 +268,7 @@ struct Tracing : EnvelopeBuilder
     const double v0 = b0 + far * way0;
     const double v1 = b1 + far * way1;
     const double v2 = b2 + far * way2;
-    if (!(std::min({ v0, v1, v2 }) > -this->mostOutside))
+    if (!(std::min({ v0, v1, v2 }) > -this->maxOutside))
     {
       return false;
     }

@@ -34,12 +34,12 @@ struct Envelope
 {
   /** The value of slots that stand for no site. */
   static constexpr double unreachable = 1e100;
-  static constexpr int mostSites = 64;
-  static constexpr int mostVertices = 3 * mostSites;
+  static constexpr int maxSites = 64;
+  static constexpr int maxVertices = 3 * maxSites;
 
   /** The affine functions at the facet's corners, and far above up to whole lanes. */
   int count = 0;
-  alignas(64) double values[3][mostSites];
+  alignas(64) double values[3][maxSites];
 
   /** The slot that is least at each corner; -1 if several are, or none is there. */
   int owners[3];
@@ -49,7 +49,7 @@ struct Envelope
    * Over each cell's part of the facet, in barycentric coordinates u = b_1, v = b_2: the integrals
    * of 1, u, v, uu, uv, vv, divided by the facet's area. Zero for a site without a part.
    */
-  double moments[mostSites][6];
+  double moments[maxSites][6];
 
   /** Corners of the facet (one site), crossings of its edges (two), points of three cells. */
   struct Vertex
@@ -58,7 +58,7 @@ struct Envelope
     int sites[3]; ///< slots; the first one repeated where there are fewer
   };
   int numberOfVertices = 0;
-  Vertex vertices[mostVertices];
+  Vertex vertices[maxVertices];
 
   /** No site yet. */
   void clear()
@@ -71,12 +71,12 @@ struct Envelope
     }
   }
 
-  /** Adds a site that the facet's cells may need; at most `mostSites`. */
+  /** Adds a site that the facet's cells may need; at most `maxSites`. */
   void add(const double atCorners[3])
   {
     if (this->count % lanes == 0)
     {
-      for (double(&row)[mostSites] : this->values)
+      for (double(&row)[maxSites] : this->values)
       {
         std::fill_n(row + this->count, lanes, unreachable);
       }

@@ -19,7 +19,7 @@ namespace remesh
 struct EnvelopeBuilder
 {
   /** So far outside of the facet, or below nothing, rounding has gone wrong. */
-  static constexpr double mostOutside = 1e-9;
+  static constexpr double maxOutside = 1e-9;
 
   Envelope& envelope;
 
@@ -104,7 +104,7 @@ struct EnvelopeBuilder
       moments[3] *= 1.0 / 6.0;
       moments[4] *= 1.0 / 12.0;
       moments[5] *= 1.0 / 6.0;
-      if (!(moments[0] > -mostOutside))
+      if (!(moments[0] > -maxOutside))
       {
         return false;
       }

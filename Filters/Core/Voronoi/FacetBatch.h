@@ -30,30 +30,30 @@
 namespace remesh
 {
 /** More coordinates than this, and a batch does not stay in the nearest cache. */
-constexpr int mostBatchDimensions = 16;
+constexpr int maxBatchDimensions = 16;
 
-/** D: see dispatchDimension; Eigen::Dynamic has room for `mostBatchDimensions`. */
+/** D: see dispatchDimension; Eigen::Dynamic has room for `maxBatchDimensions`. */
 template <int D>
 struct FacetBatch
 {
-  static constexpr int room = D == Eigen::Dynamic ? mostBatchDimensions : D;
-  static constexpr int mostParts = 3;
-  static constexpr int mostVertices = 4;
+  static constexpr int room = D == Eigen::Dynamic ? maxBatchDimensions : D;
+  static constexpr int maxParts = 3;
+  static constexpr int maxVertices = 4;
 
   int dimension = 0;
   const double* corners[3][lanes];
-  const double* sites[mostParts][lanes]; ///< the reference first; who owns which corner: see below
+  const double* sites[maxParts][lanes]; ///< the reference first; who owns which corner: see below
   alignas(64) double mass[lanes];
   alignas(64) double edge2[3][lanes]; ///< as in FacetConstants, of these corners
 
   /** Mass, energy and moment of each part. */
-  alignas(64) double sums[mostParts][2 + room][lanes];
+  alignas(64) double sums[maxParts][2 + room][lanes];
 
   /** Twice the offsets of the cells' vertices from the reference, and the squares of these. */
-  alignas(64) double vertices[mostVertices][room][lanes];
-  alignas(64) double squared[mostVertices][lanes];
+  alignas(64) double vertices[maxVertices][room][lanes];
+  alignas(64) double squared[maxVertices][lanes];
   /** A site whose value at a vertex is below this may have a part. That of its owners is. */
-  alignas(64) double levels[mostVertices][lanes];
+  alignas(64) double levels[maxVertices][lanes];
 
   /** Of three: by how much the third one is farther from where the edge at corner k is crossed. */
   alignas(64) double leads[3][lanes];

@@ -10,7 +10,7 @@ namespace remesh
 namespace
 {
 /** More candidates than this, and clipping all against all costs more than walking the lists. */
-constexpr int mostCandidates = 32;
+constexpr int maxCandidates = 32;
 }
 
 template <int D>
@@ -74,7 +74,7 @@ bool FacetDecomposition<D>::addCandidate(Index site)
     }
   }
   this->addSlot(seen);
-  return m_tiling.numberOfSites() <= mostCandidates;
+  return m_tiling.numberOfSites() <= maxCandidates;
 }
 
 template <int D>

@@ -11,9 +11,9 @@ namespace remesh
 {
 namespace
 {
-constexpr int mostRounds = 8;
+constexpr int maxRounds = 8;
 /** Among more, borders far from the reference would be rounded too much, and few would win. */
-constexpr std::size_t mostNearby = 256;
+constexpr std::size_t maxNearby = 256;
 }
 
 template <int D>
@@ -114,7 +114,7 @@ bool FacetIntegration<D>::addNeighbors(const View& view, double farthest, const 
   {
     count += lanes;
   }
-  double limits[mostViews][3];
+  double limits[maxViews][3];
   for (int w = 0; w < m_numberOfViews; ++w)
   {
     for (int k = 0; k < 3; ++k)
@@ -134,7 +134,7 @@ bool FacetIntegration<D>::addNeighbors(const View& view, double farthest, const 
         m_values[2 * m_stride + lane] + view.values[2] };
       if (accept(list.sites[lane], values))
       {
-        if (m_envelope.count == Envelope::mostSites)
+        if (m_envelope.count == Envelope::maxSites)
         {
           return false;
         }
@@ -176,7 +176,7 @@ void FacetIntegration<D>::lookFrom(Index site, const Triple& corners)
 template <int D>
 bool FacetIntegration<D>::integrate(Index facet)
 {
-  if (D == Eigen::Dynamic && m_surface.dimension > BisectorPacks::mostDimensions)
+  if (D == Eigen::Dynamic && m_surface.dimension > BisectorPacks::maxDimensions)
   {
     return false;
   }
@@ -244,7 +244,7 @@ bool FacetIntegration<D>::integrateLarge(Index facet, const Owners& owners)
     return false;
   }
   m_expanded.clear();
-  for (int round = 0; round < mostRounds; ++round)
+  for (int round = 0; round < maxRounds; ++round)
   {
     bool grown = false;
     if (!m_trace(m_envelope) || (!complete && !this->checkCells(facet, grown)))
@@ -358,7 +358,7 @@ bool FacetIntegration<D>::addNearby(Index site, Index facet, double distance)
   const double* x = m_sites.site(site);
   this->look(site, m_surface.facetCorners[facet], m_cellView);
   m_lists.sitesNear(x, distance, m_near);
-  if (m_near.size() > mostNearby)
+  if (m_near.size() > maxNearby)
   {
     return false;
   }
@@ -381,7 +381,7 @@ bool FacetIntegration<D>::addNearby(Index site, Index facet, double distance)
     }
     if (this->winsSomewhere(values))
     {
-      if (m_envelope.count == Envelope::mostSites)
+      if (m_envelope.count == Envelope::maxSites)
       {
         return false;
       }
@@ -398,7 +398,7 @@ bool FacetIntegration<D>::addNearby(Index site, Index facet, double distance)
 template <int D>
 bool FacetIntegration<D>::checkCells(Index facet, bool& grown)
 {
-  PartReach reach[Envelope::mostSites];
+  PartReach reach[Envelope::maxSites];
   this->findReach(m_surface.constants[facet], reach);
   const Index reference = m_views[0].site;
   const int count = m_envelope.count;

@@ -54,7 +54,7 @@ public:
   {
     for (int slot = 0; slot < m_envelope.count; ++slot)
     {
-      if (m_envelope.moments[slot][0] > leastFraction)
+      if (m_envelope.moments[slot][0] > minFraction)
       {
         add(m_ids[slot], this->integralOf(slot, facet));
       }
@@ -63,8 +63,8 @@ public:
 
 private:
   /** Smaller parts are rounding. */
-  static constexpr double leastFraction = 1e-12;
-  static constexpr int mostViews = 4;
+  static constexpr double minFraction = 1e-12;
+  static constexpr int maxViews = 4;
 
   /** The corners as a site sees them. */
   struct View
@@ -120,7 +120,7 @@ private:
   int m_stride;                       ///< of the packs
   std::vector<double> m_values;       ///< 3 x m_stride
   std::vector<std::uint8_t> m_chosen; ///< m_stride / lanes
-  View m_views[mostViews];            ///< the reference, then other owners of corners
+  View m_views[maxViews];             ///< the reference, then other owners of corners
   int m_numberOfViews = 0;
   View m_cellView;
 
@@ -128,7 +128,7 @@ private:
   std::vector<Index> m_expanded;    ///< the sites whose neighbours are in
   std::vector<Neighbor> m_near;
   Envelope m_envelope;
-  Index m_ids[Envelope::mostSites];
+  Index m_ids[Envelope::maxSites];
 };
 
 extern template class FacetIntegration<3>;

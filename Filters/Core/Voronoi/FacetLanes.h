@@ -21,7 +21,7 @@ constexpr double closest = 1e-9;
 constexpr double relativeRounding = 1e-13;
 /** Borders meet in a clear place only if the sine of their angle, in barycentric coordinates, is
  *  larger. */
-constexpr double leastSine = 1e-6;
+constexpr double minSine = 1e-6;
 constexpr double smallest = std::numeric_limits<double>::min();
 
 /** A point in each facet. */
@@ -211,7 +211,7 @@ template <class L>
   const L sum = c[0] + c[1] + c[2];
   const L lengths =
     (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-  addNegative(sum * sum - leastSine * leastSine * lengths - smallest, unclear);
+  addNegative(sum * sum - minSine * minSine * lengths - smallest, unclear);
   for (int k = 0; k < 3; ++k)
   {
     place.b[k] = c[k] / sum;

@@ -55,7 +55,7 @@ bool NearbySites::gather(std::ptrdiff_t together, double reach, double radius)
     return true;
   }
   m_search.within(m_middle.data(), aboveRounding * (reach + radius), m_candidates);
-  if (m_candidates.size() > mostCandidates)
+  if (m_candidates.size() > maxCandidates)
   {
     return false;
   }

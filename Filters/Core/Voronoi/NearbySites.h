@@ -47,9 +47,9 @@ public:
   void within(Index site, double radius, std::vector<Neighbor>& found);
 
 private:
-  static constexpr std::ptrdiff_t mostTogether = 16;
+  static constexpr std::ptrdiff_t maxTogether = 16;
   static constexpr double farthestTogether = 1.2; ///< from their middle, in radii
-  static constexpr std::size_t mostCandidates = 512;
+  static constexpr std::size_t maxCandidates = 512;
 
   template <class Radius, class Visit>
   void forEachOf(Index* begin, Index* end, const Radius& radius, const Visit& visit)
@@ -60,9 +60,9 @@ private:
     }
     const int axis = this->measure(begin, end);
     double reach = 0.0;
-    if (end - begin <= mostTogether && this->lieTogether(begin, end, radius(*begin), reach))
+    if (end - begin <= maxTogether && this->lieTogether(begin, end, radius(*begin), reach))
     {
-      double radii[mostTogether] = {};
+      double radii[maxTogether] = {};
       std::transform(begin, end, radii, radius);
       if (this->gather(end - begin, reach, *std::max_element(radii, radii + (end - begin))))
       {

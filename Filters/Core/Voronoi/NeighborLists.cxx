@@ -19,19 +19,19 @@ constexpr Index longestList = 24;
 /** Within a radius that is to fill a list: a few more, so that few lists end early. */
 constexpr double wantedWithin = 27.0;
 /** Fewer found than this, and the nearest are asked for instead. */
-constexpr std::size_t fewestWithin = 16;
+constexpr std::size_t minWithin = 16;
 /** More found than this are not put in order. */
 constexpr std::size_t mostOrdered = 64;
 /** Neighbours whose mean distance tells the spacing of the sites around. */
 constexpr Index nearNeighbors = 3;
 /** A list is worn when it holds the sites within less than so many spacings. */
-constexpr double leastReach = 1.6;
+constexpr double minReach = 1.6;
 /** Hardly longer than that when they are built, as beside a crowd of sites, lists do not count. */
-constexpr float leastSpare = 1.15F;
+constexpr float minSpare = 1.15F;
 /** Lists are built anew when this part of them is worn. */
-constexpr double mostWorn = 0.02;
+constexpr double maxWorn = 0.02;
 /** At most so many sites, and at most one of so many, move by more than the usual. */
-constexpr Offset mostLeapers = 32;
+constexpr Offset maxLeapers = 32;
 constexpr Offset sitesForLeaper = 256;
 /** Beside one that came from farther away, in mean reaches of lists, walks would go too far. */
 constexpr double farthestLeap = 4.0;
@@ -153,7 +153,7 @@ std::vector<Index> NeighborLists::findLeapers()
   const auto count = static_cast<Offset>(m_displacements.size());
   std::vector<Index> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
-  const auto last = order.begin() + std::min(mostLeapers, count / sitesForLeaper);
+  const auto last = order.begin() + std::min(maxLeapers, count / sitesForLeaper);
   std::nth_element(order.begin(), last, order.end(),
     [&](Index a, Index b)
     {
@@ -193,7 +193,7 @@ bool NeighborLists::measureLeapers(
         double nearest = infinity;
         for (int group = 0; group < groups; ++group)
         {
-          nearest = std::min(nearest, leastOfLanes(squared.data() + group * lanes));
+          nearest = std::min(nearest, minOfLanes(squared.data() + group * lanes));
         }
         m_leapers[k] = roundedDown(std::sqrt(nearest) / aboveRounding);
       }
@@ -222,7 +222,7 @@ bool NeighborLists::worn() const
     double farthest = 0.0;
     worn += !this->holds(static_cast<Index>(k), m_places[k].needed, farthest);
   }
-  return static_cast<double>(worn) > mostWorn * static_cast<double>(count);
+  return static_cast<double>(worn) > maxWorn * static_cast<double>(count);
 }
 
 double NeighborLists::radiusLike(const Place& like) const
@@ -246,7 +246,7 @@ void NeighborLists::buildList(
                   [site](const Neighbor& neighbor) { return neighbor.site == site; }),
       found.end());
   }
-  if (found.size() < std::min(fewestWithin, length))
+  if (found.size() < std::min(minWithin, length))
   {
     m_search->neighbors(site, m_length + 1, m_limit, found);
     radius = found.size() > length ? found.back().distance : m_limit;
@@ -265,8 +265,8 @@ void NeighborLists::buildList(
     m_distances[first + k] = below(found[k].distance); // as floats they were put in order
     near += k < nearNeighbors ? found[k].distance : 0.0;
   }
-  const auto needed = static_cast<float>(leastReach / nearNeighbors * near);
-  place.needed = place.reach < leastSpare * needed ? 0.0F : needed;
+  const auto needed = static_cast<float>(minReach / nearNeighbors * near);
+  place.needed = place.reach < minSpare * needed ? 0.0F : needed;
 }
 
 Status NeighborLists::build(const Sites& sites, const RunControl& control)

@@ -94,14 +94,14 @@ public:
    * Sites that are not in the list are no nearer than this now, which may be negative. Infinity
    * says that there are none; where there are none, it may yet be finite.
    */
-  double reach(Index site) const { return this->leastNow(site, m_places[site].reach); }
+  double reach(Index site) const { return this->minNow(site, m_places[site].reach); }
 
   /**
    * Sites that were no nearer than `distance` when the lists were built are no nearer than this
    * now: all may have come by the largest displacement, or the few that moved farthest are where
    * they are, and the others came by the largest of theirs.
    */
-  double leastNow(Index site, double distance) const
+  double minNow(Index site, double distance) const
   {
     const double own = distance - m_displacements[site];
     return std::max(own - m_largestDisplacement,

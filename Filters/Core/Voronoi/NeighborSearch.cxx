@@ -17,9 +17,9 @@ namespace
 constexpr std::size_t leafSize = 16;
 
 /** At most so many trees. */
-constexpr int mostTrees = 4;
+constexpr int maxTrees = 4;
 /** Smaller trees are not worth their boxes. */
-constexpr Offset leastInTree = 2048;
+constexpr Offset minInTree = 2048;
 
 /** Takes all sites that the trees offer, which are those nearer than a radius. */
 class WithinRadius
@@ -191,7 +191,7 @@ public:
 private:
   static Blocks treesOf(const Sites& sites)
   {
-    const Offset wanted = std::clamp<Offset>(sites.count() / leastInTree, 1, mostTrees);
+    const Offset wanted = std::clamp<Offset>(sites.count() / minInTree, 1, maxTrees);
     return Blocks::cut(sites.count(), wanted, sites.count());
   }
 
@@ -209,7 +209,7 @@ private:
       searchIn(*m_trees.front());
       return;
     }
-    double away[mostTrees];
+    double away[maxTrees];
     std::size_t first = 0;
     for (std::size_t t = 0; t < m_trees.size(); ++t)
     {

@@ -75,7 +75,7 @@ public:
       }
     }
     m_least = m_extended
-      ? std::max(m_least, m_lists.leastNow(m_site, (*m_extended)[m_current].distance))
+      ? std::max(m_least, m_lists.minNow(m_site, (*m_extended)[m_current].distance))
       : std::min(
           m_list.distances[m_current] - m_lists.approachOfListed(m_site), m_lists.reach(m_site));
     return !excludes(m_least);
@@ -87,7 +87,7 @@ public:
   }
 
   /** No site from here on is nearer than this; infinity at the end of all. */
-  double leastDistance() const { return m_least; }
+  double minDistance() const { return m_least; }
 
 private:
   /** Goes on in a longer list; false when there is none. */

@@ -22,7 +22,7 @@ OwnerSearch<D>::OwnerSearch(
   , m_lists(lists)
   , m_least(bisectorMinimum(instructions))
 {
-  if (packs && sites.dimension <= BisectorPacks::mostDimensions)
+  if (packs && sites.dimension <= BisectorPacks::maxDimensions)
   {
     m_packs.emplace(sites, lists, instructions);
     m_offset.resize(static_cast<std::size_t>(sites.dimension));
@@ -145,7 +145,7 @@ typename OwnerSearch<D>::Nearer OwnerSearch<D>::findNearer(const double* point, 
     }
     second = std::min(second, other);
   }
-  result.others = std::min(std::sqrt(second), walk.leastDistance() - radius);
+  result.others = std::min(std::sqrt(second), walk.minDistance() - radius);
   return result;
 }
 

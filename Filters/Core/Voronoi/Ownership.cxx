@@ -18,7 +18,7 @@ namespace
 constexpr double relativeRounding = 1e-12;
 constexpr float noLead = -1.0F;
 /** With fewer corners to a site, looking after the sites costs more than it saves. */
-constexpr Index fewestCorners = 4;
+constexpr Index minCorners = 4;
 constexpr float told = std::numeric_limits<float>::infinity();
 
 /** The sum of a lead and the drift, to be compared with later drifts. */
@@ -87,7 +87,7 @@ Status Ownership::update(const EmbeddedSurface& surface, const Sites& sites,
     this->begin(std::vector<Index>(corners, noIndex), sites);
   }
   const Index asked = std::min(m_corners, surface.numberOfCorners());
-  const bool keepsLeads = asked / fewestCorners >= m_share * sites.count();
+  const bool keepsLeads = asked / minCorners >= m_share * sites.count();
   if (Status status =
         keepsLeads ? m_drift.update(sites, lists, control.silent()) : Status::success();
       !status.ok())

@@ -21,10 +21,10 @@ namespace
  */
 Offset windowFor(Offset blocks, const Sites& sites, bool forDiagram)
 {
-  constexpr Offset mostWindows = 8;
+  constexpr Offset maxWindows = 8;
   constexpr Offset windowsOfMany = 4;
   constexpr std::size_t manyCoordinates = 1U << 21U;
-  const Offset windows = forDiagram              ? mostWindows
+  const Offset windows = forDiagram              ? maxWindows
     : sites.coordinates.size() > manyCoordinates ? windowsOfMany
                                                  : 1;
   return (blocks + windows - 1) / windows;

@@ -56,7 +56,7 @@ public:
     : m_surface(surface)
     , m_instructions(instructions)
     , m_decisions(decisions)
-    , m_lists(surface.patches.leastDistance())
+    , m_lists(surface.patches.minDistance())
     , m_ownership(instructions)
   {
   }

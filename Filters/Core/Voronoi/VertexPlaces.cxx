@@ -13,7 +13,7 @@ namespace remesh
 namespace
 {
 /** Cross products that cancel by more than this are computed exactly. */
-constexpr double mostCancelled = 0x1.0p-4;
+constexpr double maxCancelled = 0x1.0p-4;
 
 /** The cross product of H_j - H_i and H_m - H_i, exactly but for the last rounding. */
 double exactCrossProduct(const FacetSite* const sites[3], double b[3])
@@ -85,7 +85,7 @@ void placeInside(const FacetSite& i, const FacetSite& j, const FacetSite& m, dou
   }
   // Where the bisectors nearly coincide, rounding would put the point anywhere in the facet, and
   // the piece that ends there would seem smaller than it is (FacetTiling::squaredRadius).
-  if (std::abs(sum) <= mostCancelled * size)
+  if (std::abs(sum) <= maxCancelled * size)
   {
     sum = exactCrossProduct(sites, b);
   }
