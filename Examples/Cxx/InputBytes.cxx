@@ -16,10 +16,62 @@ namespace fs = std::filesystem;
 
 namespace
 {
-[[noreturn]] void GiveUp(int status)
+constexpr const char* gzipMark = "\x1f\x8b"; // that an archive begins with
+constexpr std::size_t chunkSize = std::size_t(1) << 18;
+
+/** What is left to read. Closes the descriptor. */
+std::string ReadAll(int descriptor)
 {
-  throw Failure(
-    status == Z_ERRNO ? std::strerror(errno) : "the gzip archive is damaged or not complete");
+  std::string bytes;
+  std::string chunk(chunkSize, '\0');
+  ssize_t size = 0;
+  do
+  {
+    size = read(descriptor, chunk.data(), chunk.size());
+    bytes.append(chunk, 0, static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  } while (size > 0 || (size < 0 && errno == EINTR));
+  const int error = errno;
+  close(descriptor);
+  if (size < 0)
+  {
+    throw Failure(std::strerror(error));
+  }
+  return bytes;
+}
+
+/** The streams of a gzip archive, one after the other; what follows them does not count. */
+std::string Inflated(const std::string& archive)
+{
+  z_stream stream = {};
+  bool good = inflateInit2(&stream, 16 + MAX_WBITS) == Z_OK; // 16: gzip alone
+  std::string bytes;
+  std::string chunk(chunkSize, '\0');
+  std::size_t taken = 0;
+  bool ended = false;
+  while (good && !(ended && archive.compare(taken, 2, gzipMark) != 0))
+  {
+    const std::size_t size = std::min(archive.size() - taken, chunkSize);
+    good = size > 0 && (!ended || inflateReset(&stream) == Z_OK);
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(archive.data() + taken));
+    stream.avail_in = static_cast<uInt>(size);
+    ended = false;
+    while (good && !ended && (stream.avail_in > 0 || stream.avail_out == 0))
+    {
+      stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
+      stream.avail_out = static_cast<uInt>(chunk.size());
+      const int status = inflate(&stream, Z_NO_FLUSH);
+      bytes.append(chunk, 0, chunk.size() - stream.avail_out);
+      ended = status == Z_STREAM_END;
+      good = ended || status == Z_OK || status == Z_BUF_ERROR;
+    }
+    taken += size - stream.avail_in;
+  }
+  inflateEnd(&stream);
+  if (!good)
+  {
+    throw Failure("the gzip archive is damaged or not complete");
+  }
+  return bytes;
 }
 } // namespace
 
@@ -31,25 +83,14 @@ std::string ReadBytes(const std::string& path)
     throw Failure("it is a directory");
   }
   const int descriptor = path == "-" ? dup(STDIN_FILENO) : open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  gzFile file = descriptor < 0 ? nullptr : gzdopen(descriptor, "rb"); // or what is no archive
-  if (file == nullptr)
+  if (descriptor < 0)
   {
     throw Failure(std::strerror(errno));
   }
-  std::string bytes;
-  std::string chunk(1 << 18, '\0');
-  int size = 0;
-  while ((size = gzread(file, chunk.data(), static_cast<unsigned>(chunk.size()))) > 0)
+  std::string bytes = ReadAll(descriptor);
+  if (bytes.compare(0, 2, gzipMark) == 0)
   {
-    bytes.append(chunk, 0, static_cast<std::size_t>(size));
-  }
-  int status = Z_OK;
-  gzerror(file, &status);
-  const int closing = gzclose(file);
-  // Some releases of zlib read nothing of a damaged archive, and tell by the status alone.
-  if (status != Z_OK || closing != Z_OK)
-  {
-    GiveUp(status != Z_OK ? status : closing);
+    bytes = Inflated(bytes);
   }
   if (bytes.empty())
   {

@@ -366,7 +366,11 @@ class TestOtherFormats(FilesTest):
             self.succeed(self.input(name), f"b.{extension}", *SMALL, "--normals", "none")
             self.assertEqual(gzip.decompress(content(self.path(f"a.{extension}.gz"))),
                              content(self.path(f"b.{extension}")))
-        whole = gzip.compress(content(self.input("sphere.ply")))
+        plain = content(self.input("sphere.ply"))
+        parts = gzip.compress(plain[:500]) + gzip.compress(plain[500:]) + bytes(16)
+        self.succeed(self.save("parts.ply.gz", parts), "c.ply", *SMALL, "--normals", "none")
+        self.assertEqual(content(self.path("c.ply")), content(self.path("b.ply")))
+        whole = gzip.compress(plain)
         for data in (whole[:-20], whole[:len(whole) // 2], whole[:40] + b"x" + whole[41:]):
             self.fail_with(1, "gzip archive is damaged|malformed",
                            self.save("damaged.ply.gz", data), "out2.vtp")
