@@ -2,10 +2,10 @@
  * @file NeighborLists.h
  * @brief The neighbours of each site by increasing distance, in lists that survive small moves.
  *
- * Lists are kept while the sites move little (Verlet lists, as in molecular dynamics): with d0 the
- * distance when the list was built and delta the displacement since, the distance now is at least
- * d0 - delta_i - delta_max, where delta_max is that of the sites in the list for those, and of all
- * sites for others; the distances of the few that moved farthest are measured instead. All stopping
+ * Lists are kept while the sites move little (Verlet lists, as in molecular dynamics). Let d0 be the
+ * distance when the list was built, and delta the displacement since. The distance now is at least
+ * d0 - delta_i - delta_max. For sites in the list, delta_max is the largest of theirs; for others it
+ * is the largest of all sites. The few that moved farthest are measured instead. All stopping
  * tests use that lower bound, so they stay exact. Lists are built anew when too many have become
  * too short to be of use; how far each reached tells how far to look then.
  */
