@@ -33,8 +33,10 @@ TangentFrame TangentFrame::turnedTo(const Point3& other) const
     return *this;
   }
   const Point3 goal = cosine < 0.0 ? Point3(-other) : other; // sides do not matter
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(this->normal, goal);
-  return { turn * this->x, turn * this->y, goal };
+  const Point3 sum = this->normal + goal;
+  const double scale = 1.0 / (1.0 + std::abs(cosine));
+  return { this->x - scale * this->x.dot(goal) * sum, this->y - scale * this->y.dot(goal) * sum,
+    goal };
 }
 
 Tensor2 TangentFrame::within(const Eigen::Matrix3d& tensor) const
