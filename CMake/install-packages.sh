@@ -21,6 +21,10 @@ case $qt in
   5) paraview="$paraview qtbase5-dev qhelpgenerator-qt5 libqt5svg5" ;;
   6) paraview="$paraview qt6-base-dev qt6-documentation-tools qt6-svg-plugins" ;;
 esac
+# ParaView 6 is built with the system's VTK, and its headers include those of VTK for Qt.
+case $release in
+  forky | sid | resolute) paraview="$paraview libvtk9-qt-dev" ;;
+esac
 
 wanted=$common
 [ $# -gt 0 ] || set -- vtk paraview
