@@ -76,7 +76,7 @@ def texts_of_progress():
     tag = handler.AddObserver("ProgressEvent",
                               lambda *_: seen.append(handler.GetLastProgressText()))
     AnisotropicRemesher(Input=Sphere(ThetaResolution=100, PhiResolution=100),
-                        NumberOfPoints=6000).UpdatePipeline()
+                        NumberOfPoints=15000).UpdatePipeline()
     handler.RemoveObserver(tag)
     return seen
 
@@ -145,7 +145,8 @@ print(len(here), "arrays are equal")
 
 progress = texts_of_progress()
 stages = {"Sampling", "Lloyd iterations", "Quasi-Newton iterations", "Vertex placement"}
-assert stages & set(progress), progress
+# ParaView 6.1 loses the ends of longer texts.
+assert any(stage.startswith(text) for stage in stages for text in progress if len(text) > 7), progress
 text = errors_of_client(AnisotropicRemesher(Input=Sphere(), NumberOfPoints=0))
 assert "at least" in text, text
 if len(PVSERVER) > 1:

@@ -59,6 +59,8 @@ class Playback:
     def filter(self, name):
         if self.version >= (5, 12):  # whose categories come when the menu opens
             self.event(MAIN + "/menubar", "activate", "menuFilters")
+        if self.version >= (6, 0):  # or a while later
+            self.event(MAIN, "pause", "2000")
         self.menu("menuFilters/Surface Remeshing", name)
 
     def click(self, tree, place):
@@ -92,8 +94,9 @@ class Playback:
         dialog = MAIN + "/PluginManagerDialog"
         self.menu("menuTools", "actionManage_Plugins")
         self.press(dialog + "/splitter/localGroup/loadLocal")
-        files = "/pqFileDialog" if self.version < (5, 12) else (
-            "/1pqFileDialog0/tabWidget/qt_tabwidget_stackedwidget/pqFileDialog")
+        files = "/pqFileDialog"
+        if (5, 12) <= self.version < (6, 0):
+            files = "/1pqFileDialog0/tabWidget/qt_tabwidget_stackedwidget/pqFileDialog"
         self.event(dialog + files, "filesSelected", plugin)
         self.press(dialog + "/buttonBox/1QPushButton0")
 
@@ -175,8 +178,9 @@ def play(paraview, version, playback):
     """Play the steps. Returns the lines that tell of failures."""
     settings = os.path.join(playback.folder, "settings", "ParaView")
     os.makedirs(settings)
-    with open(os.path.join(settings, "ParaView%s.ini" % version), "w") as file:
-        file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+    for name in ("ParaView%s.ini" % version, "ParaView.ini"):  # the second since ParaView 6
+        with open(os.path.join(settings, name), "w") as file:
+            file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
     with Display() as display:
         environment = dict(display.environment, XDG_CONFIG_HOME=os.path.dirname(settings))
         process = subprocess.Popen(
@@ -385,6 +389,8 @@ def play_animation(steps):
     steps.type(SIZE + "/NumberOfPoints", "300")
     steps.apply()
     steps.animate(REMESHER, "Number Of Points")
+    steps.event(SHELL, "executeCommand",  # ParaView 6 begins with one
+                "from paraview import simple; simple.GetAnimationScene().NumberOfFrames = 10")
     steps.state("animation")
     for button, name in (("First", "First"), ("Next", ""), ("Next", "Second"), ("Last", "Last")):
         steps.press(MAIN + "/VCRToolbar/actionVCR%sFrame" % button)
