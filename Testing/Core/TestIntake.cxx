@@ -208,48 +208,6 @@ void testDoubledSheets()
   }
 }
 
-/** Triangles that nearly meet: how far they are apart, from single triangles to one long slit. */
-void testBorderGaps()
-{
-  const auto gapsOf = [](const TriangleSoup& soup)
-  {
-    SurfaceMesh mesh;
-    IntakeReport report;
-    CHECK(test::takeIn(soup, mesh, report).ok());
-    return report.gaps;
-  };
-  const TriangleSoup grid = test::gridPatch(8, 8);
-  CHECK_EQUAL(gapsOf(grid).points, 0);
-  CHECK_EQUAL(gapsOf(test::icosphere(2)).points, 0);
-  for (const double gap : { 1e-9, 1e-6, 1e-4, 3e-4 })
-  {
-    TriangleSoup loose;
-    for (const auto& triangle : grid.triangles)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const double shift = gap * static_cast<double>(loose.points.size()) / 384.0;
-        loose.points.push_back(grid.points[triangle[k]] + Point3(shift, -shift, 0.5 * shift));
-      }
-      const auto last = static_cast<Offset>(loose.points.size());
-      loose.triangles.push_back({ last - 3, last - 2, last - 1 });
-      loose.inputCells.push_back(static_cast<Offset>(loose.inputCells.size()));
-    }
-    const BorderGaps gaps = gapsOf(loose);
-    CHECK_EQUAL(gaps.points, 384 - 81);
-    CHECK(gaps.width * std::sqrt(2.0) > 0.1 * gap && gaps.width * std::sqrt(2.0) < 20.0 * gap);
-    // The width closes them, as it says.
-    SurfaceMesh mesh;
-    IntakeReport report;
-    IntakeOptions options;
-    options.mergeDistance = gaps.width * std::sqrt(2.0);
-    CHECK(buildSurfaceMesh(loose, options, RunControl(), mesh, report).ok());
-    CHECK_EQUAL(mesh.numberOfPoints(), 81);
-    CHECK_EQUAL(report.boundaryEdges, 32);
-    CHECK_EQUAL(report.gaps.points, 0);
-  }
-}
-
 void testRefusals()
 {
   SurfaceMesh mesh;
@@ -382,7 +340,6 @@ int TestIntake(int, char*[])
   testDuplicates();
   testFlaps();
   testDoubledSheets();
-  testBorderGaps();
   testRefusals();
   testControl();
   testHilbert();

@@ -19,9 +19,11 @@ struct BorderGaps
  * Finds slits by merging the points on the border over widths from 3e-3 to 1e-12 of the diagonal,
  * two for each power of ten.
  *
- * Widths that make sides of the border vanish (but for one in a hundred) are too large. If a
- * smaller one merges as many points as ten times that width, these points are much closer to each
- * other than to any others: the smallest such width is the result.
+ * 1. A width is small if ten times as much makes at most one in ten of the border's sides vanish. If
+ *    a small one merges as many points as the next larger one, these points are much closer to each
+ *    other than to any others. The smallest such width is the result.
+ * 2. Else, as in a soup of slivers, the width over which most of the border's sides become pairs, if
+ *    these are three quarters of all, and at most one in a hundred vanishes.
  *
  * @param points P finite points of R^3; `facets` F x 3 and their `edges`.
  * @param control asked for cancellation; the result of a cancelled run is of no use.
