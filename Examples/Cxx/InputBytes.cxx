@@ -130,3 +130,9 @@ std::string LowerCaseExtension(const std::string& path)
 {
   return LowerCase(fs::path(WithoutGz(path)).extension().string());
 }
+
+std::string WithoutExtension(const std::string& path)
+{
+  const std::string plain = WithoutGz(path);
+  return plain.substr(0, plain.size() - LowerCaseExtension(path).size());
+}

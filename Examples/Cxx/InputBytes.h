@@ -21,4 +21,7 @@ std::string WithoutGz(const std::string& path);
 /** The extension with its dot and without ".gz", ".ply" for "Part.PLY.gz". */
 std::string LowerCaseExtension(const std::string& path);
 
+/** The name without its extension and ".gz", "Part" for "Part.PLY.gz". */
+std::string WithoutExtension(const std::string& path);
+
 #endif

@@ -3,8 +3,8 @@
 #include "Failure.h"
 #include "InputBytes.h"
 #include "MeshSections.h"
+#include "Polygons.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkIntArray.h>
@@ -143,18 +143,17 @@ void WriteTriangles(vtkPolyData* surface, Sink& sink)
   sink.Begin("Triangles", surface->GetNumberOfPolys());
   auto* references = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("Reference"));
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  vtkCellArray* triangles = surface->GetPolys();
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  for (triangles->InitTraversal(); triangles->GetNextCell(size, ids) != 0; ++cell)
-  {
-    for (vtkIdType i = 0; i < size; ++i)
+  ForEachPolygon(surface,
+    [&](vtkIdType size, const vtkIdType* ids)
     {
-      sink.Integer(ids[i] + 1);
-    }
-    sink.Integer(references != nullptr ? references->GetValue(cell) : 0);
-    sink.EndRow();
-  }
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        sink.Integer(ids[i] + 1);
+      }
+      sink.Integer(references != nullptr ? references->GetValue(cell) : 0);
+      sink.EndRow();
+      ++cell;
+    });
 }
 
 /** Where the components 11 12 22, or 11 12 22 13 23 33, are among those of an array. */
@@ -235,7 +234,6 @@ std::string SolutionBytes(vtkDataArray* metric, const std::string& order, MeshFo
 std::string SolutionNameFor(const std::string& path)
 {
   const std::string extension = LowerCaseExtension(path);
-  const std::string plain = WithoutGz(path);
-  const std::string stem = plain.substr(0, plain.size() - extension.size());
+  const std::string stem = WithoutExtension(path);
   return extension == ".mesh" ? stem + ".sol" : extension == ".meshb" ? stem + ".solb" : "";
 }

@@ -277,8 +277,7 @@ std::string SolutionFileOf(const std::string& path)
   {
     return "";
   }
-  const std::string plain = WithoutGz(path);
-  const std::string stem = plain.substr(0, plain.size() - extension.size());
+  const std::string stem = WithoutExtension(path);
   const std::string own = extension == ".mesh" ? ".sol" : ".solb";
   const std::string other = extension == ".mesh" ? ".solb" : ".sol";
   return std::ifstream(stem + own).good() ? stem + own

@@ -5,10 +5,10 @@
 #include "MeshWriter.h"
 #include "Messages.h"
 #include "OutputFiles.h"
+#include "Polygons.h"
 #include "ProgressBar.h"
 #include "VtpWriter.h"
 
-#include <vtkCellArray.h>
 #include <vtkErrorCode.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -28,19 +28,6 @@ const std::vector<std::string> arrayExtensions = { ".vtp", ".vtk" };
 
 namespace
 {
-/** Calls `visit` with the corners of each polygon. */
-template <typename Visit>
-void ForEachPolygon(vtkPolyData* surface, Visit visit)
-{
-  vtkCellArray* polygons = surface->GetPolys();
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  for (polygons->InitTraversal(); polygons->GetNextCell(size, ids) != 0;)
-  {
-    visit(size, ids);
-  }
-}
-
 void GetTriangle(vtkPolyData* surface, const vtkIdType* ids, double corners[3][3])
 {
   for (int i = 0; i < 3; ++i)
