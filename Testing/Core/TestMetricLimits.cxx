@@ -48,8 +48,8 @@ void testTensors()
   CHECK((matrixOf(sandwich(a, b)) - matrixOf(a) * matrixOf(b) * matrixOf(a)).norm() < 1e-12);
   // An intersection is nowhere shorter than both, and touches each.
   const Tensor2 both = intersection(a, b);
-  CHECK_NEAR(relativeSizes(a, both).least, 1.0, 1e-12);
-  CHECK_NEAR(relativeSizes(b, both).least, 1.0, 1e-12);
+  CHECK_NEAR(relativeSizes(a, both).min, 1.0, 1e-12);
+  CHECK_NEAR(relativeSizes(b, both).min, 1.0, 1e-12);
   // 1e10 : 1, at an angle: the small eigenvalue is not lost.
   const double c = 0.8;
   const double s = 0.6;

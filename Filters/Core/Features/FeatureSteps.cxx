@@ -34,8 +34,8 @@ constexpr double widestSmoothing = 1.0;
 constexpr double highestStep = 0.3; // by which the surface moves
 
 // Of the length of creases that hang together:
-constexpr double maxHigh = 0.02;
-constexpr double minGone = 0.5;
+constexpr double maxHighShare = 0.02;
+constexpr double minGoneShare = 0.5;
 
 /** Points at which features meet, end, or bend. */
 Offset countBends(const CreaseGraph& graph)
@@ -151,8 +151,8 @@ Index dropGone(const CreaseGraph& graph, const EdgeTable& edges, const FeatureOp
   for (const Smoothing& crease : creases)
   {
     const Index root = sets.find(graph.ends[crease.edge][0]);
-    if (crease.isGone && gone[root] >= minGone * lengths[root] &&
-      high[root] <= maxHigh * lengths[root])
+    if (crease.isGone && gone[root] >= minGoneShare * lengths[root] &&
+      high[root] <= maxHighShare * lengths[root])
     {
       kinds[crease.edge] = FeatureKind::None;
       features.angles[crease.edge] = 0.0F; // no gap is bridged along it

@@ -24,7 +24,7 @@ bool limitAt(const SurfaceMesh& mesh, const MetricField& metric, const Gradation
   // The longer of both: neighbours are near, and what is short here is not what limits.
   const double length = std::sqrt(std::max(own.squared(x, y), there.squared(x, y))) / limits.unit;
   const Tensor2 grown = there * std::pow(limits.growth, -2.0 * length);
-  if (!(relativeSizes(own, grown).most > slack))
+  if (!(relativeSizes(own, grown).max > slack))
   {
     return false;
   }

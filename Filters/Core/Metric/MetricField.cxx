@@ -18,7 +18,7 @@ namespace
 double largestFactor(const Tensor2& a, const Tensor2& b)
 {
   const RelativeSizes sizes = relativeSizes(a, b);
-  return std::sqrt(std::max(sizes.most, 1.0 / sizes.least));
+  return std::sqrt(std::max(sizes.max, 1.0 / sizes.min));
 }
 
 TargetShape shapeOf(const SurfaceMesh& mesh, const MetricField& metric, std::size_t facet)

@@ -159,7 +159,7 @@ private:
     return { (std::sqrt(a.squared(x, y)) + 4.0 * std::sqrt(middle.squared(x, y)) +
                std::sqrt(b.squared(x, y))) /
         6.0,
-      std::max(sizes.most, 1.0 / sizes.least) };
+      std::max(sizes.max, 1.0 / sizes.min) };
   }
 
   const SurfaceMesh& m_mesh;

@@ -127,7 +127,7 @@ private:
       const TangentFrame frame = TangentFrame::across(m_metric->normals[p]);
       const RelativeSizes sizes = relativeSizes(
         frame.within(m_metric->tensors[p]), frame.within(m_surface.metric.tensors[p]));
-      m_surface.limits[p] = static_cast<float>(std::sqrt(std::max(1.0, sizes.most)));
+      m_surface.limits[p] = static_cast<float>(std::sqrt(std::max(1.0, sizes.max)));
     }
   }
 

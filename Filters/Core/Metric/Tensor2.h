@@ -92,8 +92,8 @@ inline Tensor2 sandwich(const Tensor2& a, const Tensor2& b)
 /** The eigenvalues of a^-1 b: squares of factors between lengths in b and in a. */
 struct RelativeSizes
 {
-  double least;
-  double most;
+  double min;
+  double max;
 };
 
 inline RelativeSizes relativeSizes(const Tensor2& a, const Tensor2& b)

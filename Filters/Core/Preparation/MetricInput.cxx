@@ -14,10 +14,10 @@ namespace remesh
 {
 namespace
 {
-constexpr double maxVariation = 2.0; // of sizes within a facet: above, it is too large for them
-constexpr double minMet = 0.9;       // of the area, within a factor of sqrt 2, or it is told
-constexpr double flatness = 1e-6;    // of the diagonal: what is a plane
-constexpr double asymmetry = 1e-6;   // of the largest entry: rounding of single precision
+constexpr double maxVariation = 2.0;   // of sizes within a facet: above, it is too large for them
+constexpr double minShareWithin = 0.9; // of the area, within a factor of sqrt 2, or it is told
+constexpr double flatness = 1e-6;      // of the diagonal: what is a plane
+constexpr double asymmetry = 1e-6;     // of the largest entry: rounding of single precision
 
 std::string nameOf(const PointArray& array)
 {
@@ -175,7 +175,7 @@ MetricFit fitOf(const MetricSurface& surface)
 
 void tellFit(const MetricFit& fit, std::vector<std::string>& warnings)
 {
-  if (fit.within < minMet)
+  if (fit.within < minShareWithin)
   {
     std::ostringstream warning;
     warning.precision(2);

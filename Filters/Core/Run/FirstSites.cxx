@@ -29,7 +29,7 @@ constexpr double fewOthers = 0.005; // of all points, from one sampling to the n
  * Times the points on curves, to keep these apart. Where it takes more, parts go through each other
  * as a rule, and nothing is apart with more, either.
  */
-constexpr double maxForApart = 1.5;
+constexpr double maxSeparationGrowth = 1.5;
 constexpr int coarseLloyd = 2;
 constexpr int coarseNewton = 8;
 
@@ -84,7 +84,7 @@ Status makeFixedSites(const Task& task, const RunControl& control, RemeshResult&
       shareApart(task.surface, result.featureSites.sites, sampler.spacing(), control);
     const Offset most =
       std::min(task.maxPointsOnFeatures(task.options.numberOfSites, result.shareApart),
-        static_cast<Offset>(maxForApart * aligned));
+        static_cast<Offset>(maxSeparationGrowth * aligned));
     const Index added =
       separateCurves(featured, all, { most, sampler.spacing() }, control, result.featureSites);
     result.curvesAreApart = added > 0 && result.featureSites.numberOfPoints() < most;
