@@ -1,29 +1,22 @@
 // Triangles that go through each other: found as by definition, and parted where sheets are thin.
 #include "Repair/CrossingRepair.h"
-#include "Repair/InvertedSearch.h"
 #include "Repair/PartableCrossings.h"
 #include "Support/Random.h"
-#include "TestPlacements.h"
+#include "TestPushedBand.h"
 
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace
 {
 using namespace remesh;
+using test::crossingsOf;
+using test::PushedBand;
 
 using Pairs = std::vector<std::pair<Index, Index>>;
 
 constexpr Offset noLimit = std::numeric_limits<Offset>::max();
-
-Pairs crossingsOf(const std::vector<Triple>& triangles, const std::vector<Point3>& positions)
-{
-  Pairs pairs;
-  CHECK(CrossingSearch(triangles, positions, RunControl()).find(RunControl(), pairs).ok());
-  return pairs;
-}
 
 /** A segment through a triangle, next to it, in its plane, and with a common corner. */
 void testPairs()
@@ -122,98 +115,24 @@ void testWithoutArea()
   CHECK_EQUAL(search.count(3), 2);
 }
 
-/** A closed band, thin at its rims, that waves up and down. */
-SurfaceMesh thinBand(double thickness)
-{
-  return test::meshOf(test::wrappedGrid(160, 48, true,
-    [=](int i, int j)
-    {
-      const double u = 2.0 * test::pi * i / 160;
-      const double v = 2.0 * test::pi * j / 48;
-      const double ring = 1.0 + 0.06 * std::sin(6.0 * u) + 0.5 * thickness * std::cos(v);
-      return Point3(ring * std::cos(u), ring * std::sin(u), 0.25 * std::sin(v));
-    }));
-}
-
-/** Of the facet closest to a place. */
-Point3 nearestNormal(const SurfaceMesh& mesh, const Point3& place)
-{
-  double least = std::numeric_limits<double>::infinity();
-  Point3 normal = Point3::Zero();
-  for (const auto& [i, j, k] : mesh.facetPoints)
-  {
-    const Point3& a = mesh.points[i];
-    const Point3& b = mesh.points[j];
-    const Point3& c = mesh.points[k];
-    if (const double squared = closestOnTriangle(place, a, b, c).squared; squared < least)
-    {
-      least = squared;
-      normal = facetNormal(a, b, c);
-    }
-  }
-  return normal;
-}
-
-/** A run parts them with all else that it mends. */
-void testMending(const PlacementProblem& problem, const RemeshResult& result)
-{
-  std::vector<SurfaceLocation> locations = result.locations;
-  std::vector<Triple> triangles = result.dual.triangles;
-  PlacedVertices placement = result.placement;
-  CHECK(
-    repairPlacedMesh(problem, VertexPlacement::Fit, RunControl(), locations, triangles, placement)
-      .ok());
-  CHECK(crossingsOf(triangles, placement.positions).empty());
-  CHECK_EQUAL(placement.crossings, 0);
-}
-
-/** Vertices pushed through the other side of a thin sheet come back, and nothing flips. */
+/** Vertices pushed through the other side of a thin sheet come back, and nothing is inverted. */
 void testThinBand()
 {
-  constexpr double thickness = 0.02;
-  const SurfaceMesh mesh = thinBand(thickness);
-  const EmbeddedSurface surface = test::gaussMapOf(mesh, 0.02);
-  RemeshResult result = test::remeshed(mesh, 0.02, 500, VertexPlacement::Fit);
-  CHECK(crossingsOf(result.dual.triangles, result.placement.positions).empty());
-  const std::vector<Point3> sound = result.placement.positions;
-  std::vector<char> fixed(result.placement.positions.size(), 0);
-  fixed[0] = 1;
-  const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
-    result.dual.triangles, fixed };
-  const NearbySurface near(problem);
-  for (std::size_t v = 7; v < result.placement.positions.size(); v += 20)
-  {
-    Point3& place = result.placement.positions[v];
-    if (std::abs(place[2]) > 0.12)
-    {
-      continue; // at the rims
-    }
-    const Point3 outward = Point3(place[0], place[1], 0.0).normalized();
-    const double side = outward.dot(nearestNormal(mesh, place)) > 0.0 ? 1.0 : -1.0;
-    place -= 1.25 * side * thickness * outward;
-  }
-  const std::vector<Point3> pushed = result.placement.positions;
-  CHECK(crossingsOf(result.dual.triangles, pushed).size() > 20);
-  testMending(problem, result);
-  const double far = test::rmsDistance(mesh, result, 50);
-  std::vector<Index> flipped;
-  CHECK(InvertedSearch(near).find(result.dual.triangles, pushed, RunControl(), flipped).ok());
-  CHECK(flipped.empty());
+  PushedBand band;
+  const std::vector<Point3> pushed = band.placed.positions;
+  const double far = band.distance();
+  std::vector<Point3>& positions = band.placed.positions;
+  CrossingSearch search(band.triangles, positions, RunControl());
+  RepairedMesh repaired(band.problem, band.near, band.sound, band.triangles, positions);
+  MeshEdits edits;
   const RunControl control;
-  std::vector<Triple> triangles = result.dual.triangles;
-  std::vector<Point3>& positions = result.placement.positions;
-  CrossingSearch search(triangles, positions, control);
-  RepairedMesh repaired(problem, near, sound, triangles, positions);
-  MeshEdits repair;
-  repairCrossings({ problem, sound, control, true, 0.0 }, crossingsOf(triangles, positions), search,
-    repaired, repair);
-  CHECK(repair.movedVertices > 0);
-  CHECK(crossingsOf(triangles, positions).empty());
-  CHECK(InvertedSearch(near).find(triangles, positions, control, flipped).ok());
-  CHECK(flipped.empty());
+  partCrossings({ band.problem, band.sound, control, true, 0.0 },
+    crossingsOf(band.triangles, positions), search, repaired, edits);
+  CHECK(edits.movedVertices > 0);
+  CHECK(crossingsOf(band.triangles, positions).empty());
+  CHECK(band.inverted().empty());
   CHECK(positions[0] == pushed[0]);
-  result.dual.triangles = triangles;
-  CHECK(test::rmsDistance(mesh, result, 50) < far);
+  CHECK(band.distance() < far);
 }
 
 /** Where the surface goes through itself, no pair is to be parted: two spheres. */

@@ -2,7 +2,6 @@
 
 #include "Mesh/FacetGeometry.h"
 #include "Placement/TriangleShape.h"
-#include "Repair/PartableCrossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +12,6 @@ namespace remesh
 {
 namespace
 {
-constexpr int maxPasses = 4;
-constexpr Offset noLimit = std::numeric_limits<Offset>::max(); // to pairs left: few were given
 constexpr double gapWeight = 10.0; // of the distance from the surface, to that of a neighbour
 constexpr double maxGap = 0.02;    // more distance from the surface, likewise
 constexpr double beyond = 1.25;    // of the way to the other triangle's plane
@@ -189,9 +186,9 @@ std::vector<std::pair<Index, Index>> verticesOf(
   return vertices;
 }
 
-/** Tries all that may part two triangles; tells how many steps it took. */
-Offset part(const RepairContext& context, const std::pair<Index, Index>& pair,
-  CrossingSearch& search, RepairedMesh& mesh, MeshEdits& edits)
+/** Tries all that may part two triangles. */
+void part(const RepairContext& context, const std::pair<Index, Index>& pair, CrossingSearch& search,
+  RepairedMesh& mesh, MeshEdits& edits)
 {
   const Index first = pair.first;
   const Index second = pair.second;
@@ -199,47 +196,32 @@ Offset part(const RepairContext& context, const std::pair<Index, Index>& pair,
   { return areCrossing(mesh.triangles()[first], mesh.triangles()[second], mesh.positions()); };
   if (!cross())
   {
-    return 0;
+    return;
   }
-  Offset moved = 0;
   for (const auto& [vertex, other] : verticesOf(first, second, search, mesh))
   {
-    moved += cross() && moveVertex(context, vertex, other, search, mesh) ? 1 : 0;
+    edits.movedVertices += cross() && moveVertex(context, vertex, other, search, mesh) ? 1 : 0;
   }
-  Offset turned = 0;
   for (const Index triangle : { first, second })
   {
     for (int k = 0; k < 3 && context.mayFlip; ++k)
     {
-      turned += cross() && flipEdge(triangle, k, search, mesh) ? 1 : 0;
+      edits.flippedEdges += cross() && flipEdge(triangle, k, search, mesh) ? 1 : 0;
     }
   }
-  edits.movedVertices += moved;
-  edits.flippedEdges += turned;
-  return moved + turned;
 }
 }
 
-void repairCrossings(const RepairContext& context, const CrossingSearch::Pairs& pairs,
+void partCrossings(const RepairContext& context, const CrossingSearch::Pairs& pairs,
   CrossingSearch& search, RepairedMesh& mesh, MeshEdits& edits)
 {
-  CrossingSearch::Pairs left = pairs;
-  for (int pass = 0; pass < maxPasses && !left.empty(); ++pass)
+  for (const std::pair<Index, Index>& pair : pairs)
   {
-    Offset done = 0;
-    for (const std::pair<Index, Index>& pair : left)
-    {
-      if (context.control.cancelled())
-      {
-        return;
-      }
-      done += part(context, pair, search, mesh, edits);
-    }
-    if (done == 0 ||
-      !findPartable(context.problem, search, noLimit, context.control.silent(), left).ok())
+    if (context.control.cancelled())
     {
       return;
     }
+    part(context, pair, search, mesh, edits);
   }
 }
 }

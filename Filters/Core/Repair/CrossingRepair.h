@@ -20,8 +20,8 @@ namespace remesh
  * 2. If none helps, its edges may flip.
  *
  * Each step must leave fewer crossings around the vertex or the edge. It must not invert a
- * triangle, nor bring a vertex much farther from the surface. Ends when no pair crosses, when
- * nothing helps, or after four passes over the pairs.
+ * triangle, nor bring a vertex much farther from the surface. Other pairs may cross then: the
+ * verdict decides whether the steps are kept (PlacedMesh.cxx).
  *
  * @param context its `mayFlip` tells whether 2 is done.
  * @param search of the same mesh; it is told which triangles change.
@@ -30,7 +30,7 @@ namespace remesh
  * Cost: some hundred places for each pair, and at each a search for what crosses the triangles
  * around.
  */
-void repairCrossings(const RepairContext& context, const CrossingSearch::Pairs& pairs,
+void partCrossings(const RepairContext& context, const CrossingSearch::Pairs& pairs,
   CrossingSearch& search, RepairedMesh& mesh, MeshEdits& edits);
 }
 

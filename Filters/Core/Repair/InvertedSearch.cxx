@@ -67,12 +67,23 @@ Status InvertedSearch::find(const std::vector<Triple>& triangles,
     return Status::cancelled();
   }
   inverted = listMarked(m_isInverted);
-  m_triangles.clear();
-  if (!inverted.empty()) // else there is nothing to repair, and no other search
+  if (!first || !inverted.empty()) // else there is nothing to repair, and no other search
   {
     m_triangles = triangles;
     m_positions = positions;
   }
   return Status::success();
+}
+
+void InvertedSearch::know(const std::vector<Triple>& triangles,
+  const std::vector<Point3>& positions, const std::vector<Index>& inverted)
+{
+  m_triangles = triangles;
+  m_positions = positions;
+  m_isInverted.assign(triangles.size(), 0);
+  for (const Index t : inverted)
+  {
+    m_isInverted[t] = 1;
+  }
 }
 }

@@ -13,7 +13,8 @@ namespace remesh
 {
 /**
  * Remembers the mesh of the last search. A triangle is looked at again only if it has other corners
- * now, or if one of them has moved. Repairs change few triangles, so a search is cheap.
+ * now, or if one of them has moved. Repairs change few triangles, so a search is cheap. A mesh
+ * without inverted triangles needs no repair: as long as no other was searched, none is remembered.
  */
 class InvertedSearch
 {
@@ -41,13 +42,21 @@ public:
     const RunControl& control, std::vector<Index>& inverted,
     const std::vector<char>* suspects = nullptr);
 
+  /**
+   * Remembers a mesh that is known without a search.
+   *
+   * @param inverted its inverted triangles, ascending.
+   */
+  void know(const std::vector<Triple>& triangles, const std::vector<Point3>& positions,
+    const std::vector<Index>& inverted);
+
 private:
   bool isKnown(std::size_t triangle, const std::vector<Triple>& triangles,
     const std::vector<Point3>& positions, const std::vector<char>* suspects) const;
 
   const NearbySurface& m_surface;
   std::vector<char> m_isInverted;  ///< T, of the last search; empty before the first
-  std::vector<Triple> m_triangles; ///< of the last search; empty if nothing was inverted
+  std::vector<Triple> m_triangles; ///< of the last search; empty if none was inverted so far
   std::vector<Point3> m_positions; ///< likewise
 };
 }

@@ -19,9 +19,9 @@ namespace remesh
  * Who makes a verdict fills in what it can see, and leaves the rest at 0. So only verdicts of one
  * maker are compared:
  * - of sites, SiteCandidate: all but `crossings` and `refilled`;
+ * - of a placed mesh, PlacedCandidate: `inverted`, `strays` and `crossings`, each from its repair on;
  * - of passes over a placed mesh, MeshCandidate: `inverted` alone; strays are counted there, too,
  *   when the passes are to mend these;
- * - of a placed mesh before and after strays were mended, PlacedMesh.cxx: `inverted` and `strays`;
  * - of whole runs, verdictOf: all but `intrusions` and `reserve`.
  */
 struct Verdict
