@@ -21,7 +21,7 @@ constexpr double wantedWithin = 27.0;
 /** Fewer found than this, and the nearest are asked for instead. */
 constexpr std::size_t minWithin = 16;
 /** More found than this are not put in order. */
-constexpr std::size_t mostOrdered = 64;
+constexpr std::size_t maxOrdered = 64;
 /** Neighbours whose mean distance tells the spacing of the sites around. */
 constexpr Index nearNeighbors = 3;
 /** A list is worn when it holds the sites within less than so many spacings. */
@@ -66,15 +66,15 @@ std::vector<double> packGroups(const Sites& sites, const std::vector<Index>& som
 /** Order by rank: no branch to foresee, and several comparisons at once. */
 void orderByDistance(std::vector<Neighbor>& found)
 {
-  if (found.size() > mostOrdered)
+  if (found.size() > maxOrdered)
   {
-    std::nth_element(found.begin(), found.begin() + mostOrdered, found.end(),
+    std::nth_element(found.begin(), found.begin() + maxOrdered, found.end(),
       [](const Neighbor& a, const Neighbor& b) { return a.distance < b.distance; });
-    found.resize(mostOrdered);
+    found.resize(maxOrdered);
   }
   const int count = static_cast<int>(found.size());
-  float keys[mostOrdered];
-  Neighbor ordered[mostOrdered];
+  float keys[maxOrdered];
+  Neighbor ordered[maxOrdered];
   for (int k = 0; k < count; ++k)
   {
     keys[k] = static_cast<float>(found[k].distance);
