@@ -285,6 +285,15 @@ std::string SolutionFileOf(const std::string& path)
                                           : "";
 }
 
+std::string ForeignSolutionWarning(const std::string& path, const std::string& written)
+{
+  const std::string found = SolutionFileOf(path);
+  return found.empty() || found == written
+    ? ""
+    : "'" + found + "' was there before, and does not belong to '" + path +
+      "', but will be read with it. Remove or rename it.";
+}
+
 std::string ExtensionFault(const std::string& path, const std::vector<std::string>& known)
 {
   if (path == "-" || std::find(known.begin(), known.end(), LowerCaseExtension(path)) != known.end())

@@ -24,6 +24,14 @@ class vtkPolyData;
 std::string SolutionFileOf(const std::string& path);
 
 /**
+ * The warning where a mesh written there would be read with a .sol or .solb that does not belong to
+ * it; "": there is none.
+ *
+ * @param written the .sol or .solb that is written with the mesh; "": none.
+ */
+std::string ForeignSolutionWarning(const std::string& path, const std::string& written);
+
+/**
  * "must end in .a, .b or .c", with ".gz" allowed behind, unless the name does; else empty. "-" has
  * no extension to check.
  */

@@ -234,6 +234,11 @@ std::vector<Output> ListOutputs(Run& run)
         auto* surface = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
         const std::string name = path == "-" ? StandardOutputName(run) : path;
         WriteSurface(surface, name, temporary, run.Log, run.Progress);
+        const std::string warning = ForeignSolutionWarning(path, MetricNameFor(run.Parameters));
+        if (!warning.empty())
+        {
+          run.Log->DisplayWarningText(warning.c_str());
+        }
       });
   };
   const Options& options = run.Parameters;

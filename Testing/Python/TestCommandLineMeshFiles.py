@@ -5,6 +5,7 @@
 Binary files are written and read here by code of their own, as the format tells.
 """
 import gzip
+import json
 import os
 import struct
 
@@ -290,6 +291,24 @@ class TestMetricOfMesh(FilesTest):
         self.fail_with(1, "it is a directory", self.input(), self.blocked(), *SMALL, "--solution",
                        "Height")
         os.remove(box)
+
+    def test_left_solution(self):
+        """A .sol of another mesh is kept, and told: it would be read with the new one."""
+        old = b"MeshVersionFormatted 2 Dimension 3 SolAtVertices 8 1 1\n" + b"0.5\n" * 8 + b"End\n"
+        left = self.path("a.sol")
+        with open(left, "wb") as file:
+            file.write(old)
+        for name in ("a.mesh", "a.meshb"):  # either kind is read
+            made = self.run_program(self.input(), name, *SMALL, "-r", "a.json")
+            self.assertEqual(made.returncode, 0)
+            self.assertRegex(made.stderr, "a.sol' was there before, and does not belong to '.*"
+                             + name + "', but will be read with it. Remove or rename it")
+            self.assertEqual(len(json.loads(content(self.path("a.json")))["warnings"]), 1)
+            self.assertEqual(content(left), old)
+        self.succeed(self.input(), "b.mesh", *SMALL)
+        made = self.run_program(self.input(), "a.mesh", *SMALL, "--solution", "Height")
+        self.assertNotIn("was there before", made.stderr)
+        self.assertNotEqual(content(left), old)
 
     def blocked(self):
         """The name of a mesh whose .sol cannot be written."""
