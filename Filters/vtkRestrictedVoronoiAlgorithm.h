@@ -119,10 +119,10 @@ public:
    * - QUADRIC: where the cell's facets, as planes, are closest;
    * - FIT (default): where all triangles together are closest to the surface, by least squares that
    *   weigh their shapes in the embedding, too, as far as no triangle turns over or collapses. The
-   *   distance to the surface is about a third of that of CENTROID. With an embedding
-   *   array or a metric, points slide along the surface only as far as edges and triangles stay as
-   *   even in it as they are, but for 1 %. A density does not hold them: where it makes points
-   *   dense and the surface is flat, up to a fifth of these slide to where it bends.
+   *   distance to the surface is about a third of that of CENTROID. An embedding array
+   *   holds points: edges and triangles stay as even in it as they are, but for 1 %. With a metric
+   *   points slide to where triangles are even in it, and then move across the surface alone. With
+   *   a density, dense ones slide on flat parts, up to a fifth of them to where it bends.
    *
    * Points where a triangle would face against the surface are put elsewhere in all cases, first
    * one by one and then together with those around, then nearer to the centroids, and only where

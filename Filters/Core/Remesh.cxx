@@ -130,7 +130,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments,
-    &task.wholeSurface(control) };
+    &task.wholeSurface(control), task.metric };
   const VertexPlacement way = task.options.placement;
   Status status = Status::success();
   if (task.features && way >= VertexPlacement::Fit)

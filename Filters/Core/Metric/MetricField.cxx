@@ -75,6 +75,20 @@ std::array<Tensor2, 3> tensorsOf(
   return own;
 }
 
+Eigen::Matrix<double, 2, 3> rulerAt(
+  const SurfaceMesh& mesh, const MetricField& metric, Index facet, const double b[3])
+{
+  const std::array<Tensor2, 3> own = tensorsOf(mesh, metric, static_cast<std::size_t>(facet));
+  const Tensor2 mean =
+    logarithm(own[0]) * b[0] + logarithm(own[1]) * b[1] + logarithm(own[2]) * b[2];
+  const Tensor2 root = exponential(mean * 0.5);
+  const TangentFrame frame = TangentFrame::of(mesh, static_cast<std::size_t>(facet));
+  Eigen::Matrix<double, 2, 3> ruler;
+  ruler.row(0) = (root.xx * frame.x + root.xy * frame.y).transpose();
+  ruler.row(1) = (root.xy * frame.x + root.yy * frame.y).transpose();
+  return ruler;
+}
+
 Status findTargetShapes(const SurfaceMesh& mesh, const MetricField& metric,
   const RunControl& control, std::vector<TargetShape>& shapes)
 {

@@ -33,6 +33,15 @@ struct MetricField
 std::array<Tensor2, 3> tensorsOf(
   const SurfaceMesh& mesh, const MetricField& metric, std::size_t facet);
 
+/**
+ * Takes vectors to a plane where they have the lengths that their parts along a facet have in the
+ * metric at a place of it: the mean of the corners' logarithms.
+ *
+ * @param b barycentric coordinates of the place.
+ */
+Eigen::Matrix<double, 2, 3> rulerAt(
+  const SurfaceMesh& mesh, const MetricField& metric, Index facet, const double b[3]);
+
 /** Unit normals of points: sums over their facets, each turned to the side of the first one. */
 std::vector<Point3> pointNormals(const SurfaceMesh& mesh);
 

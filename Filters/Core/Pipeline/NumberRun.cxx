@@ -132,8 +132,8 @@ struct NumberRun
         : endsEarly || smoothing > 1.0                             ? shareOfOthers
                                                                    : 0.0;
       this->filled = 1.0 - others;
-      status = remesh(
-        { prepared.mesh, prepared.surface, prepared.featuresOrNone(), this->request.options },
+      status = remesh({ prepared.mesh, prepared.surface, prepared.featuresOrNone(),
+                        this->request.options, prepared.metricOrNone() },
         control.part(shareOfPreparation, this->filled), result);
     }
     this->seconds += result.seconds;

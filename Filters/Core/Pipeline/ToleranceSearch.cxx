@@ -322,7 +322,7 @@ Status refine(
   dropEmpty(sums, first, result.sites);
   result.movedSites += result.sites.count() - first;
   return completeMesh({ search.mesh, search.surface, search.outcome.prepared.featuresOrNone(),
-                        search.request.options },
+                        search.request.options, search.outcome.prepared.metricOrNone() },
     control.part(0.3, 1.0), result);
 }
 }

@@ -1,6 +1,7 @@
 #include "Placement/Placement.h"
 
 #include "Mesh/FacetGeometry.h"
+#include "Placement/EvenTriangles.h"
 #include "Placement/Quadric.h"
 #include "Placement/StepLimit.h"
 #include "Placement/SurfaceFit.h"
@@ -107,7 +108,14 @@ Status approachQuadrics(const PlacementProblem& problem, const CellForms& cells,
 Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const RunControl& control,
   const std::vector<SurfaceLocation>& locations, std::vector<Point3>& positions)
 {
-  const std::vector<Point3> start = startingPlaces(problem, positions);
+  std::vector<Point3> start = startingPlaces(problem, positions);
+  if (problem.metric && way >= VertexPlacement::Fit)
+  {
+    if (Status status = evenOutTriangles(problem, control.silent(), locations, start); !status.ok())
+    {
+      return status;
+    }
+  }
   positions = start;
   if (way == VertexPlacement::Centroid)
   {

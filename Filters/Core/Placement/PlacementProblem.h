@@ -8,6 +8,7 @@
 #include "Delaunay/Collar.h"
 #include "Delaunay/Components.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Metric/MetricField.h"
 #include "Placement/WholeSurface.h"
 #include "Voronoi/Diagram.h"
 
@@ -25,6 +26,7 @@ struct PlacementProblem
   const std::vector<char>& fixed;       ///< K, 1: a vertex that stays; or empty: none
   const std::vector<FeatureSegment>* featureEdges = nullptr; ///< edges that stay, if there are any
   const WholeSurface* whole = nullptr; ///< of `mesh`; nullptr: made by who needs it
+  const MetricField* metric = nullptr; ///< of `mesh`, in which triangles are to be even; or none
 
   Index numberOfVertices() const { return this->components.count(); }
   bool isFixed(std::size_t vertex) const

@@ -105,6 +105,7 @@ struct PreparedSurface
   EmbeddedSurface surface;
   bool isEmbeddingGiven = false; ///< by an array, or a metric: not made from positions and normals
   std::optional<MetricFit> metricFit; ///< where there is a metric
+  std::optional<MetricField> metric;  ///< at the points of `mesh`, as limited; where there is one
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
   std::optional<Features> features;
   std::vector<Triple> charts; ///< F x 3, see FeatureOptions; empty: there are no seams among them
@@ -112,6 +113,11 @@ struct PreparedSurface
   std::vector<std::string> usedArrays; ///< names of those given as normals, embedding or metric
   std::vector<std::string> warnings;
 
+  /** In which triangles are to be even; nullptr: none, or a density is to make them uneven. */
+  const MetricField* metricOrNone() const
+  {
+    return this->metric && !this->surface.hasDensity() ? &*this->metric : nullptr;
+  }
   /** Those of `mesh`, or nullptr. */
   const Features* featuresOrNone() const { return this->features ? &*this->features : nullptr; }
   /** The surface after intake, whose facets are the caller's. */

@@ -6,6 +6,7 @@
 #define remesh_Task_h
 
 #include "Features/FeaturedSurface.h"
+#include "Metric/MetricField.h"
 #include "Optimization/Relaxation.h"
 #include "Placement/WholeSurface.h"
 #include "Run/RemeshResult.h"
@@ -39,6 +40,9 @@ struct Task
   const EmbeddedSurface& surface;
   const Features* features; ///< nullptr: none
   const RemeshOptions& options;
+  /** In which the triangles are to be even, for the embedding that the surface has; nullptr: none.
+   */
+  const MetricField* metric = nullptr;
 
   /** Finds closest facets of the whole surface. Made by the first call of `wholeSurface`. */
   mutable std::shared_ptr<const WholeSurface> whole = nullptr;
