@@ -87,6 +87,7 @@ private:
   Status limit(const RunControl& control)
   {
     m_surface.metric = *m_metric;
+    m_surface.shapeMetric = *m_metric;
     if (!m_options.isLimited)
     {
       return Status::success();
@@ -125,9 +126,13 @@ private:
     for (std::size_t p = 0; p < m_surface.limits.size(); ++p)
     {
       const TangentFrame frame = TangentFrame::across(m_metric->normals[p]);
-      const RelativeSizes sizes = relativeSizes(
-        frame.within(m_metric->tensors[p]), frame.within(m_surface.metric.tensors[p]));
-      m_surface.limits[p] = static_cast<float>(std::sqrt(std::max(1.0, sizes.max)));
+      const Tensor2 given = frame.within(m_metric->tensors[p]);
+      const Tensor2 limited = frame.within(m_surface.metric.tensors[p]);
+      const double limit = std::sqrt(std::max(1.0, relativeSizes(given, limited).max));
+      const double share = 1.0 / limit;
+      m_surface.limits[p] = static_cast<float>(limit);
+      m_surface.shapeMetric.tensors[p] = frame.tensorOf(
+        exponential(logarithm(given) * share + logarithm(limited) * (1.0 - share)), 1.0);
     }
   }
 

@@ -33,7 +33,13 @@ struct MetricSurface
 {
   std::optional<RefinedSurface> refined; ///< where the surface had to be
   MetricField metric;                    ///< V of the refined surface, as limited
-  std::vector<TargetShape> shapes;       ///< F
+  /**
+   * V, in which triangles are to be even at their centres: between the metric as given and as
+   * limited, a mean of logarithms. Where it was limited by a factor l, the given one has the share
+   * 1 / l: there straight edges cannot be what it wants.
+   */
+  MetricField shapeMetric;
+  std::vector<TargetShape> shapes; ///< F
   IsometricEmbedding embedding;
   double unit = 1.0; ///< length of edges in the metric
   /** Share of the area where the metric varies too much from one given point to the next. */

@@ -265,7 +265,7 @@ Status embedMetric(
   }
   const MetricFit& fit = prepared.metricFit.emplace(fitOf(surface));
   prepared.coordinates = metricCoordinates(prepared.mesh, surface);
-  prepared.metric = std::move(surface.metric);
+  prepared.metric = std::move(surface.shapeMetric);
   tellFit(fit, prepared.warnings);
   return status;
 }

@@ -105,7 +105,7 @@ struct PreparedSurface
   EmbeddedSurface surface;
   bool isEmbeddingGiven = false; ///< by an array, or a metric: not made from positions and normals
   std::optional<MetricFit> metricFit; ///< where there is a metric
-  std::optional<MetricField> metric;  ///< at the points of `mesh`, as limited; where there is one
+  std::optional<MetricField> metric;  ///< V, for `mesh`: MetricSurface::shapeMetric
   /** Along which the mesh was cut open, if there are any; its patches are apart in `surface`. */
   std::optional<Features> features;
   std::vector<Triple> charts; ///< F x 3, see FeatureOptions; empty: there are no seams among them
