@@ -11,7 +11,10 @@ using namespace remesh::test;
 
 namespace
 {
-/** A closed star with sharp edges, each cut off: two creases close to each other. */
+/**
+ * A star with sharp edges, each cut off: two creases close to each other. It is closed but for a
+ * slit of a hundred-thousandth of its size.
+ */
 vtkSmartPointer<vtkPolyData> star()
 {
   vtkNew<vtkParametricSuperToroid> shape;
@@ -39,11 +42,10 @@ vtkSmartPointer<vtkPolyData> star()
  */
 void testNothingStarves()
 {
-  for (const auto& surface : { star(), polyDataOf(leaf(6, 0.02)) })
-  {
-    const Trial trial = keepingMesh(surface, 1000, 0.0);
-    CHECK(trial.value("RelativeRMSDistance") < 1e-3);
-  }
+  const Trial ofStar = keepingMesh(star(), 1000, 0.0, "nearly coincide with others there: 89.");
+  CHECK(ofStar.value("RelativeRMSDistance") < 1e-3);
+  const Trial ofLeaf = keepingMesh(polyDataOf(leaf(6, 0.02)), 1000, 0.0);
+  CHECK(ofLeaf.value("RelativeRMSDistance") < 1e-3);
 }
 }
 
