@@ -145,8 +145,11 @@ print(len(here), "arrays are equal")
 
 progress = texts_of_progress()
 stages = {"Sampling", "Lloyd iterations", "Quasi-Newton iterations", "Vertex placement"}
-# ParaView 6.1 loses the ends of longer texts.
-assert any(stage.startswith(text) for stage in stages for text in progress if len(text) > 7), progress
+if servermanager.vtkSMProxyManager.GetVersionMajor() < 6:
+    assert stages & set(progress), progress
+else:  # 6.1 loses the ends of longer texts
+    assert any(stage.startswith(text) for stage in stages for text in progress if len(text) > 7), (
+        progress)
 text = errors_of_client(AnisotropicRemesher(Input=Sphere(), NumberOfPoints=0))
 assert "at least" in text, text
 if len(PVSERVER) > 1:
