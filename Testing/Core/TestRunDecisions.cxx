@@ -79,11 +79,21 @@ void testNumberForTolerance()
   CHECK_EQUAL(numberOf(2000, 1.0, 0), request.maxPoints);
   CHECK_EQUAL(numberOf(2000, 0.0, 0), 4);
 }
+
+/** Where the pilot has far too few points, its distance tells nothing. */
+void testPilotAfter()
+{
+  CHECK_EQUAL(pilotAfter(2000, 225000, true), 16000);
+  CHECK_EQUAL(pilotAfter(16000, 225000, true), 128000);
+  CHECK_EQUAL(pilotAfter(128000, 225000, true), 0);
+  CHECK_EQUAL(pilotAfter(2000, 225000, false), 0);
+}
 }
 
 int TestRunDecisions(int, char*[])
 {
   testVerdicts();
   testNumberForTolerance();
+  testPilotAfter();
   return test::result();
 }

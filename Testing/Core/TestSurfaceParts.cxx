@@ -100,10 +100,56 @@ void testPieces()
   }
   CHECK(alongSides > 500);
 }
+
+/** Needles and caps: slices of the triangle's size cover them; there are few. */
+void testSlices()
+{
+  TriangleSoup soup;
+  soup.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
+  soup.triangles.push_back({ 0, 1, 2 });
+  const Surface surface(soup);
+  const TriangleTree tree(surface.view());
+  const double size = std::sqrt(2.0);
+  PartCutter cutter(tree, 1e-3);
+  for (const double foot : { 0.0, 0.3, 0.99, 1.0, 1.2 })
+  {
+    constexpr double length = 500.0;
+    const SurfacePart part{ { Point3(0.0, 0.0, 0.1), Point3(length, 0.0, 0.1),
+      Point3(foot * length, 0.02, 0.1) } };
+    std::vector<SurfacePart> pieces;
+    CHECK(cutter.cutAcross(0, part, 10000, pieces));
+    CHECK(static_cast<double>(pieces.size()) < 2.0 * 1.2 * length / size + 4.0);
+    double area = 0.0;
+    for (const SurfacePart& piece : pieces)
+    {
+      area += areaOf(piece.corners);
+      CHECK_EQUAL(piece.hint, 0);
+      CHECK(piece.reach() < 1.1 * size);
+      for (const Point3& corner : piece.corners)
+      {
+        CHECK(outside(corner, part.corners) < 1e-9);
+      }
+    }
+    CHECK_NEAR(area, areaOf(part.corners), 1e-9);
+    pieces.clear();
+    CHECK(cutter.cutAcross(0, part, 50, pieces));
+    CHECK(pieces.size() > 30 && pieces.size() <= 50);
+    CHECK(!cutter.cutAcross(0, part, 4, pieces));
+  }
+  std::vector<SurfacePart> pieces;
+  const SurfacePart round{ { Point3(0.0, 0.0, 0.0), Point3(50.0, 0.0, 0.0),
+    Point3(20.0, 30.0, 0.0) } };
+  const SurfacePart small{ { Point3(0.0, 0.0, 0.0), Point3(5.0, 0.0, 0.0),
+    Point3(2.0, 0.1, 0.0) } };
+  CHECK(!cutter.cutAcross(0, round, 10000, pieces));
+  CHECK(!cutter.cutAcross(0, small, 10000, pieces));
+  CHECK(pieces.empty());
+}
 }
 
 int TestSurfaceParts(int, char*[])
 {
   testPieces();
+  testSlices();
   return result();
 }

@@ -13,6 +13,7 @@ namespace
 {
 constexpr double farShare = 0.95; // of the limit
 constexpr std::size_t maxParts = 1000000;
+constexpr Offset maxSlices = 4000; // of one triangle
 constexpr std::size_t partsBetweenQuestions = 4096;
 
 /** Examines one triangle after the other; one per thread. */
@@ -71,7 +72,8 @@ private:
       return;
     }
     const double distance = this->note(part, far);
-    if (distance + part.reach() > m_limit && !this->isWithin(part.corners, m_lastSlot))
+    if (distance + part.reach() > m_limit && !this->isWithin(part.corners, m_lastSlot) &&
+      !m_cutter.cutAcross(m_lastSlot, part, maxSlices, m_next))
     {
       m_cutter.cut(m_lastSlot, part, m_next);
     }

@@ -140,7 +140,9 @@ void settle(std::vector<BoundedPart>& open, Offset most, Search& search)
   open.erase(end, open.end());
 }
 
-std::vector<BoundedPart> cutAll(const std::vector<BoundedPart>& open, const Search& search)
+/** @param most pieces of a part that is cut into slices. */
+std::vector<BoundedPart> cutAll(
+  const std::vector<BoundedPart>& open, Offset most, const Search& search)
 {
   PartCutter cutter(search.to, search.target());
   std::vector<BoundedPart> cut;
@@ -149,7 +151,10 @@ std::vector<BoundedPart> cutAll(const std::vector<BoundedPart>& open, const Sear
   for (const BoundedPart& each : open)
   {
     pieces.clear();
-    cutter.cut(each.part.hint, each.part, pieces);
+    if (!cutter.cutAcross(each.part.hint, each.part, most, pieces))
+    {
+      cutter.cut(each.part.hint, each.part, pieces);
+    }
     for (const SurfacePart& piece : pieces)
     {
       cut.push_back({ piece, each.bound });
@@ -176,7 +181,7 @@ Status boundMaximum(const Triangles& from, const TriangleTree& to, const Distanc
     {
       break;
     }
-    open = cutAll(open, search);
+    open = cutAll(open, budget / (2 * static_cast<Offset>(open.size())), search);
     budget -= static_cast<Offset>(open.size());
     if (!examineAll(
           static_cast<Offset>(open.size()), control.silent(),

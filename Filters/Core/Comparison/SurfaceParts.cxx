@@ -12,12 +12,53 @@ namespace
 constexpr double overlap = 0.01; // of the accuracy
 constexpr double maxSize = 4.0;  // of a part that is cut along a triangle, squared
 constexpr double minCosine = 0.8;
+constexpr double thin = 0.25;      // height over the longest edge
+constexpr double muchLonger = 8.0; // than the triangle that is close: worth slices
+constexpr Offset minPieces = 16;   // likewise
+
+double squaredLength(const std::array<Point3, 3>& corners, int edge)
+{
+  return (corners[(edge + 1) % 3] - corners[edge]).squaredNorm();
+}
+
+/** The first of a triangle's longest edges; edge k begins at corner k. */
+int longestEdge(const std::array<Point3, 3>& corners)
+{
+  int longest = 0;
+  for (int k = 1; k < 3; ++k)
+  {
+    longest = squaredLength(corners, k) > squaredLength(corners, longest) ? k : longest;
+  }
+  return longest;
+}
 
 /** The square of a triangle's longest edge. */
 double squaredSize(const std::array<Point3, 3>& corners)
 {
-  const auto& [a, b, c] = corners;
-  return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
+  return squaredLength(corners, longestEdge(corners));
+}
+
+/** Cuts a triangle across, from its tip to its base, into slices of that height or less. */
+void slice(
+  const std::array<Point3, 3>& triangle, double height, Index hint, std::vector<SurfacePart>& parts)
+{
+  const auto& [tip, left, right] = triangle;
+  const double length = std::max((left - tip).norm(), (right - tip).norm());
+  const double slices = std::max(std::ceil(length / height), 1.0);
+  Point3 lastLeft = tip;
+  Point3 lastRight = tip;
+  for (double k = 1.0; k <= slices; ++k)
+  {
+    const Point3 nextLeft = tip + k / slices * (left - tip);
+    const Point3 nextRight = tip + k / slices * (right - tip);
+    parts.push_back({ { lastLeft, nextLeft, nextRight }, hint });
+    if (k > 1.0)
+    {
+      parts.push_back({ { lastLeft, nextRight, lastRight }, hint });
+    }
+    lastLeft = nextLeft;
+    lastRight = nextRight;
+  }
 }
 
 void cutIntoFour(Index hint, const SurfacePart& part, std::vector<SurfacePart>& parts)
@@ -128,6 +169,30 @@ bool PartCutter::cutByPlane(Index slot, const SurfacePart& part, const Point3& o
   }
   pushFan(m_inner, slot, true, parts);
   pushFan(m_outer, slot, false, parts);
+  return true;
+}
+
+bool PartCutter::cutAcross(
+  Index slot, const SurfacePart& part, Offset maxPieces, std::vector<SurfacePart>& parts)
+{
+  const double size = std::sqrt(squaredSize(m_to.cornersOf(slot)));
+  const int longest = longestEdge(part.corners);
+  const Point3& a = part.corners[longest];
+  const Point3& b = part.corners[(longest + 1) % 3];
+  const Point3& c = part.corners[(longest + 2) % 3];
+  const Point3 along = b - a;
+  const double squared = along.squaredNorm();
+  if (maxPieces < minPieces || !(along.cross(c - a).norm() < thin * squared) ||
+    !(std::sqrt(squared) > muchLonger * size))
+  {
+    return false;
+  }
+  const Point3 foot = a + std::clamp(along.dot(c - a) / squared, 0.0, 1.0) * along;
+  // A slice is two pieces but for that at a tip, and there are two tips; sides are a little longer
+  // than what they are above.
+  const double height = std::max(size, 2.2 * std::sqrt(squared) / (maxPieces - 2));
+  slice({ a, foot, c }, height, slot, parts);
+  slice({ b, c, foot }, height, slot, parts);
   return true;
 }
 

@@ -23,8 +23,8 @@ struct SurfacePart
 };
 
 /**
- * Cuts parts; one per thread. The pieces, four at most, lie in the part and cover it wholly, but
- * for rounding. O(1) each.
+ * Cuts parts; one per thread. The pieces, four at most but for slices, lie in the part and cover it
+ * wholly, but for rounding. O(1) each.
  */
 class PartCutter
 {
@@ -46,6 +46,17 @@ public:
    * @param parts those it is cut into are appended.
    */
   bool cutAlong(Index slot, const SurfacePart& part, std::vector<SurfacePart>& parts);
+
+  /**
+   * Cuts a thin part that is much longer than a triangle into slices of the triangle's size, at
+   * once. By halves it would be many more: of a thin triangle that is cut in the middle, three are
+   * left. False, and nothing appended, for other parts, and if there may be few pieces only.
+   * O(number of slices).
+   *
+   * @param maxPieces so many at most; the slices are longer then.
+   */
+  bool cutAcross(
+    Index slot, const SurfacePart& part, Offset maxPieces, std::vector<SurfacePart>& parts);
 
   /** Along the triangle, or else into four. */
   void cut(Index slot, const SurfacePart& part, std::vector<SurfacePart>& parts);

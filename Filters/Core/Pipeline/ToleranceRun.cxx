@@ -60,7 +60,7 @@ struct ToleranceRun
       trianglesOf(this->result), trianglesOf(this->prepared.inputMesh()), how, control, distance);
   }
 
-  /** A rough mesh, and from its number of points that for the next one. */
+  /** A rough mesh, and from its distance the number of points for the next one. */
   Status pilot(RunControl control, Offset& number)
   {
     const int iterations = std::min(pilotIterations, this->request.options.quasiNewton.iterations);
@@ -75,6 +75,23 @@ struct ToleranceRun
                                   this->result.neededFeaturePoints },
       this->tolerance);
     return status;
+  }
+
+  /** Rough meshes, until one tells a number that can be relied on. */
+  Status pilots(RunControl control, Offset& number)
+  {
+    for (Offset next = number; next > 0;)
+    {
+      const Offset at = number = next;
+      control = control.part(0.0, 1.0);
+      if (Status status = this->pilot(control.part(0.0, 0.5), number); !status.ok())
+      {
+        return status;
+      }
+      next = pilotAfter(at, number, this->result.topology.lost());
+      control = control.part(0.5, 1.0);
+    }
+    return Status::success();
   }
 
   /** Samples alone. */
@@ -322,7 +339,7 @@ Status remeshWithin(RunRequest request, const RunControl& control, RunOutcome& o
   }
   run.request.options.maxCurveError = 0.25 * run.tolerance.tolerance;
   Offset number = std::min(pilotPoints, run.tolerance.maxPoints);
-  Status status = run.pilot(control.part(0.03, 0.1), number);
+  Status status = run.pilots(control.part(0.03, 0.1), number);
   ToleranceOutcome reached;
   if (status.ok())
   {

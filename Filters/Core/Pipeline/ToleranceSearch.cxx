@@ -17,6 +17,7 @@ namespace remesh
 namespace
 {
 constexpr double meanOfTolerance = 0.35; // what the mean distance is to be
+constexpr Offset pilotGrowth = 8;        // of the points, from one pilot to the next
 constexpr double maxOnFeatures = 0.6;    // of the points, see sampleCurves
 constexpr int settlingSteps = 2;
 constexpr int maxRounds = 40;
@@ -334,6 +335,12 @@ Offset numberForTolerance(const NumberTrial& pilot, const ToleranceRequest& requ
   const double least = std::max(4.0, static_cast<double>(pilot.minNumber) / maxOnFeatures);
   return static_cast<Offset>(
     std::min(std::max(estimate, least), static_cast<double>(request.maxPoints)));
+}
+
+Offset pilotAfter(Offset number, Offset estimate, bool isLost)
+{
+  const Offset many = pilotGrowth * number;
+  return isLost && estimate > many ? many : 0;
 }
 
 namespace

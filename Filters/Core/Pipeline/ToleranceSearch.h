@@ -4,7 +4,7 @@
  *
  * 1. A pilot run with few points. The mean distance falls as 1 over their number. So the pilot
  *    gives the number for which the mean is a third of the tolerance: most of the mesh is within it
- *    then.
+ *    then. Others with more points may follow, until one has the surface's topology.
  * 2. A run with that number. Others may follow, with the same creases: with more points, if
  *    features take most of them; with fewer, if the mesh is well within the tolerance.
  * 3. Where mesh or surface is beyond the tolerance (DistanceLimit.h), the cell there gets a site,
@@ -53,6 +53,18 @@ struct NumberTrial
  * @param request its tolerance is in the unit of the points.
  */
 Offset numberForTolerance(const NumberTrial& pilot, const ToleranceRequest& request);
+
+/**
+ * Step 1: the number of points for another pilot, or 0 for none. A mesh without the surface's
+ * topology is far from it, which does not tell how many points it takes: if it asks for more than
+ * eight times as many, another pilot has eight times as many. For a rod, 2000 times as long as it is
+ * thick, a pilot of 2000 points asks for 225 000, where 15 500 do.
+ *
+ * @param number of points of a pilot.
+ * @param estimate of the number for the next run, by numberForTolerance().
+ * @param isLost whether the pilot is without the surface's topology.
+ */
+Offset pilotAfter(Offset number, Offset estimate, bool isLost);
 
 /**
  * Step 3.
