@@ -36,6 +36,9 @@
  * - `NumberOfStrayTriangles`: others that make more than 90 degrees with another part of the
  * surface, which is closer to their centres. So it is where two sheets are closer than a chord to
  * its arc;
+ * - `NumberOfSelfIntersections`: pairs of triangles that go through each other, though the surface
+ * does not there; counted to one more than a twentieth of the triangles, or 50 and a hundredth of
+ * them, if that is less;
  * - `NumberOfNonManifoldEdges`, `EulerCharacteristic`, `TopologyPreserved`, `Seed`;
  * - `NumberOfExtraPoints`: points beyond those asked for; below 0: fewer. Where sites are given,
  *   features are not preserved or there is a distance tolerance: beyond the number of sites;
@@ -124,10 +127,11 @@ public:
    *   points slide to where triangles are even in it, and then move across the surface alone. With
    *   a density, dense ones slide on flat parts, up to a fifth of them to where it bends.
    *
-   * Points where a triangle would face against the surface are put elsewhere in all cases, first
-   * one by one and then together with those around, then nearer to the centroids, and only where
-   * that does not help, edges are turned over: these triangles are not the dual of the cells. See
-   * the field arrays `NumberOfFlippedTriangles` and `NumberOfStrayTriangles` for what is left.
+   * In all cases, points are put elsewhere where a triangle would face against the surface: first
+   * one by one, then together with those around, then nearer to the centroids. Only where that
+   * does not help, edges are turned over: these triangles are not the dual of the cells. The field
+   * arrays `NumberOfFlippedTriangles`, `NumberOfStrayTriangles` and `NumberOfSelfIntersections`
+   * tell what is left.
    */
   vtkSetMacro(VertexPlacement, int);
   vtkGetMacro(VertexPlacement, int);

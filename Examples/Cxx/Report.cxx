@@ -75,7 +75,8 @@ Json OutputOf(vtkPolyData* surface)
     { "triangles", surface->GetNumberOfPolys() },
     { "extra_points", FactOf(surface, "NumberOfExtraPoints") },
     { "flipped_triangles", FactOf(surface, "NumberOfFlippedTriangles") },
-    { "stray_triangles", FactOf(surface, "NumberOfStrayTriangles") } };
+    { "stray_triangles", FactOf(surface, "NumberOfStrayTriangles") },
+    { "self_intersections", FactOf(surface, "NumberOfSelfIntersections") } };
   for (const auto& [name, array] :
     { std::pair<const char*, const char*>{ "normal_smoothing_radius", "NormalSmoothingRadius" },
       { "maximum_distance", "MaximumDistance" }, { "rms_distance", "RMSDistance" } })

@@ -26,9 +26,9 @@ inline constexpr Names meshPointNames = { "SiteId", "ComponentId", "CellColor", 
 
 /** Field arrays of a diagram filter's mesh, which no other port has. */
 inline constexpr Names meshFactNames = { "NumberOfFlippedTriangles", "NumberOfNonManifoldEdges",
-  "NumberOfStrayTriangles", "EulerCharacteristic", "TopologyPreserved", "NumberOfExtraPoints",
-  "Seed", "NormalSmoothingRadius", "MaximumDistance", "RMSDistance", "MetricUnit", "MetricLimit",
-  "MetricShare" };
+  "NumberOfStrayTriangles", "NumberOfSelfIntersections", "EulerCharacteristic", "TopologyPreserved",
+  "NumberOfExtraPoints", "Seed", "NormalSmoothingRadius", "MaximumDistance", "RMSDistance",
+  "MetricUnit", "MetricLimit", "MetricShare" };
 
 /** Those of them that vtkMetricEmbedding's output has, too: they are left out without a word. */
 inline constexpr Names metricFactNames = { "MetricUnit", "MetricLimit", "MetricShare" };

@@ -132,6 +132,7 @@ void addFacts(const DiagramSource& source, vtkFieldData* data)
   { columns.add<vtkIdTypeArray>(name, [value](Offset) { return value; }); };
   add("NumberOfFlippedTriangles", result.placement.edits.inverted);
   add("NumberOfStrayTriangles", result.placement.strays);
+  add("NumberOfSelfIntersections", result.placement.crossings);
   add("NumberOfNonManifoldEdges", result.topology.mesh.nonManifoldEdges);
   add("EulerCharacteristic", result.topology.mesh.eulerCharacteristic);
   add("TopologyPreserved", result.topology.preserved() ? 1 : 0);

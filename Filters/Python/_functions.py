@@ -22,6 +22,7 @@ _FIELD_FACTS = [
     "NumberOfExtraPoints",
     "NumberOfFlippedTriangles",
     "NumberOfStrayTriangles",
+    "NumberOfSelfIntersections",
     "NumberOfNonManifoldEdges",
     "NormalSmoothingRadius",
     "MetricUnit",

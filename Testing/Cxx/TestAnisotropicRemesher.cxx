@@ -118,7 +118,8 @@ void testArrays(vtkAnisotropicRemesher* filter)
     { { "NumberOfNonManifoldEdges", idType, 1, true }, { "EulerCharacteristic", idType, 1, true },
       { "NumberOfExtraPoints", idType, 1, true }, { "Seed", idType, 1, true },
       { "Year", "vtkIntArray", 1, true }, { "NumberOfFlippedTriangles", idType, 1, true },
-      { "NumberOfStrayTriangles", idType, 1, true }, { "TopologyPreserved", idType, 1, true },
+      { "NumberOfStrayTriangles", idType, 1, true },
+      { "NumberOfSelfIntersections", idType, 1, true }, { "TopologyPreserved", idType, 1, true },
       { "MaximumDistance", doubleType, 1, true }, { "RMSDistance", doubleType, 1, true },
       { "NormalSmoothingRadius", doubleType, 1, true } });
 

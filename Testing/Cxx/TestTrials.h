@@ -77,6 +77,8 @@ inline Trial checkedMesh(vtkPolyData* surface, vtkIdType points, double anisotro
 {
   const Trial trial = keepingMesh(surface, points, anisotropy);
   CHECK_EQUAL(numberOfSelfIntersections(trial.mesh), 0);
+  CHECK_EQUAL(
+    arrayOf(trial.mesh->GetFieldData(), "NumberOfSelfIntersections")->GetComponent(0, 0), 0.0);
   return trial;
 }
 }

@@ -154,7 +154,7 @@ vtkSmartPointer<vtkPolyData> wavySheet(double thickness)
 
 /**
  * Where chords leave a sheet by more than its thickness, its sides go through each other, but
- * each triangle faces the side it lies nearest to.
+ * each triangle faces the side it lies nearest to. That is told where they do.
  */
 void testThinSheet()
 {
@@ -164,7 +164,8 @@ void testThinSheet()
     CHECK(isClosedManifold(surface));
     for (const vtkIdType points : { 300, 400, 600 })
     {
-      keepingMesh(surface, points, 0.1);
+      const bool crosses = thickness < 0.01 && points == 300;
+      keepingMesh(surface, points, 0.1, crosses ? "pairs of triangles go through" : nullptr);
     }
   }
 }

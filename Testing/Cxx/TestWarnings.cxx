@@ -110,15 +110,16 @@ bool beginWith(const std::vector<std::string>& warnings, const std::vector<std::
     { return warning.compare(0, first.size(), first) == 0; });
 }
 
-/** Flipped triangles and strays have a warning each, from one on. */
+/** Flipped triangles, strays and crossing pairs have a warning each, from one on. */
 void testNumbersOfWrongTriangles()
 {
-  const auto warningsWith = [](Offset flipped, Offset strays)
+  const auto warningsWith = [](Offset flipped, Offset strays, Offset crossings = 0)
   {
     RunOutcome outcome;
     outcome.result.dual.triangles.resize(1000); // of which few are wrong
     outcome.result.placement.edits.inverted = flipped;
     outcome.result.placement.strays = strays;
+    outcome.result.placement.crossings = crossings;
     return warningsOf(RunRequest(), outcome);
   };
   CHECK(beginWith(warningsWith(0, 0), {}));
@@ -127,6 +128,10 @@ void testNumbersOfWrongTriangles()
     { "1 triangle is closer to another part of the surface than to its own, facing it" }));
   CHECK(beginWith(warningsWith(1, 3),
     { "1 triangle faces the surface the wrong way", "3 triangles are closer to another part" }));
+  CHECK(beginWith(warningsWith(0, 0, 1), { "1 pair of triangles go through each other" }));
+  CHECK(beginWith(warningsWith(0, 0, 50), { "50 pairs of triangles go through each other" }));
+  CHECK(beginWith(warningsWith(0, 0, 61), { "At least 61 pairs of triangles" }));
+  CHECK(beginWith(warningsWith(0, 2, 50), { "2 triangles are closer to another part" }));
 }
 
 /** A surface that goes through itself, between rims that all but touch; by too few points. */

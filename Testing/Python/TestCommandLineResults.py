@@ -72,7 +72,7 @@ class TestResults(CommandLineTest):
         self.assertTrue(0 < distances[0] < distances[1] < 0.05, distances)
         self.assertEqual(report["output"],
             {"points": 60, "triangles": 116, "extra_points": 0, "flipped_triangles": 0,
-             "stray_triangles": 0})
+             "stray_triangles": 0, "self_intersections": 0})
         self.assertEqual(report["topology"], {"preserved": 1, "report": ""})
         self.assertEqual(report["parameters"]["anisotropy"], 0.1)
         self.assertEqual(report["parameters"]["max_extra_points"], -2)

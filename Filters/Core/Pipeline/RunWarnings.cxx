@@ -2,6 +2,7 @@
 
 #include "Mesh/FacetGeometry.h"
 #include "Mesh/NormalFlow.h"
+#include "Placement/StrayTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,14 @@ void tellWrongTriangles(const RemeshResult& result, std::vector<std::string>& wa
     warnings.push_back(std::to_string(strays) + (strays == 1 ? " triangle is" : " triangles are") +
       " closer to another part of the surface than to " + (strays == 1 ? "its" : "their") +
       " own, facing it the wrong way. More points help where its sheets are close to each other.");
+  }
+  const Offset pairs = result.placement.crossings;
+  if (pairs > 0 && result.placement.strays == 0) // strays go through what they are close to
+  {
+    const auto triangles = static_cast<Offset>(result.dual.triangles.size());
+    warnings.push_back((pairs > maxStrays(triangles) ? "At least " : "") + std::to_string(pairs) +
+      (pairs == 1 ? " pair" : " pairs") +
+      " of triangles go through each other where the surface does not. More points help.");
   }
 }
 }
