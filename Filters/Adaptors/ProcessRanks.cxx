@@ -19,11 +19,11 @@ namespace
 constexpr int tag = 20121;             ///< of all packets
 constexpr vtkIdType longest = 1 << 20; ///< of the pieces of a packet, in bytes
 
-bool tryToReserve(std::vector<char>& bytes, vtkIdType size)
+bool tryToResize(std::vector<char>& bytes, vtkIdType size)
 {
   try
   {
-    bytes.reserve(static_cast<std::size_t>(size));
+    bytes.resize(static_cast<std::size_t>(size));
     return true;
   }
   catch (const std::bad_alloc&)
@@ -42,10 +42,10 @@ void awaitMessage(vtkMultiProcessController* controller, int from, int tag)
     const auto begin = steady_clock::now();
     for (int arrived = 0; mpi->Iprobe(from, tag, &arrived, nullptr) && !arrived;)
     {
-      // An eighth late at most: between two orders there may be a millisecond, or an hour.
+      // A 32nd late at most: between two orders there may be a millisecond, or an hour.
       const auto waited = duration_cast<microseconds>(steady_clock::now() - begin);
       std::this_thread::sleep_for(
-        std::clamp<microseconds>(waited / 8, microseconds(20), milliseconds(20)));
+        std::clamp<microseconds>(waited / 32, microseconds(20), milliseconds(20)));
     }
   }
 #else
@@ -88,15 +88,15 @@ Packet ProcessRanks::receive(int rank)
     awaitMessage(this->Controller, rank, tag);
   }
   bool arrived = this->Controller->Receive(&size, 1, rank, tag) != 0;
-  std::vector<char> piece(static_cast<std::size_t>(std::min(longest, size)));
   std::vector<char> bytes;
-  const bool fits = tryToReserve(bytes, arrived ? size : 0);
+  const bool fits = tryToResize(bytes, arrived ? size : 0);
+  // What there is no room for has to be taken off the way, too.
+  std::vector<char> spare(fits ? 0 : static_cast<std::size_t>(longest));
   for (vtkIdType begin = 0; begin < size && arrived; begin += longest)
   {
     const vtkIdType length = std::min(longest, size - begin);
-    arrived = this->Controller->Receive(piece.data(), length, rank, tag) != 0;
-    // What there is no room for has to be taken off the way, too.
-    bytes.insert(bytes.end(), piece.begin(), fits ? piece.begin() + length : piece.begin());
+    char* piece = fits ? bytes.data() + begin : spare.data();
+    arrived = this->Controller->Receive(piece, length, rank, tag) != 0;
   }
   if (!fits)
   {

@@ -1,5 +1,6 @@
 // Voronoi/NeighborLists, NeighborWalk: each walk yields all other sites by increasing distance.
 
+#include "Support/Parallel.h"
 #include "TestEmbeddings.h"
 #include "Voronoi/NeighborWalk.h"
 
@@ -220,6 +221,70 @@ void testMovingSites()
     }
   }
 }
+
+/** How many of some sites have other lists than those of `expected`. */
+Index countOthers(const NeighborLists& lists, const NeighborLists& expected, Index n, Index stride)
+{
+  std::vector<char> differs(static_cast<std::size_t>(n), 0);
+  const Blocks blocks{ n / stride, 64 };
+  const bool done = forEachItem(blocks, RunControl(),
+    [&](Offset k)
+    {
+      const Index site = n - 1 - static_cast<Index>(k) * stride; // in another order
+      const NeighborList list = lists.list(site);
+      const NeighborList other = expected.list(site);
+      differs[site] = list.count != other.count ||
+        !std::equal(list.sites, list.sites + list.count, other.sites) ||
+        !std::equal(list.distances, list.distances + list.count, other.distances) ||
+        lists.reach(site) != expected.reach(site) ||
+        lists.approachOfListed(site) != expected.approachOfListed(site);
+    });
+  CHECK(done);
+  return static_cast<Index>(std::count(differs.begin(), differs.end(), 1));
+}
+
+/**
+ * Lists are the same whenever they are made, with equal distances, too, and are kept or built anew
+ * at the same time; nobody makes those that are not asked for.
+ */
+void testOnlyAsked(Sites sites)
+{
+  constexpr Index stride = 10;
+  const Index n = sites.count();
+  NeighborLists all;
+  NeighborLists asked;
+  asked.makeOnlyAsked();
+  int anew = 0;
+  for (int step = 0; step < 12; ++step)
+  {
+    CHECK(all.update(sites, RunControl()).ok());
+    CHECK(asked.update(sites, RunControl()).ok());
+    anew += all.approachOfListed(0) == 0.0;
+    CHECK_EQUAL(countOthers(asked, all, n, step % 2 == 0 ? stride : 3 * stride), 0);
+    CHECK_EQUAL(all.numberOfLists(), n);
+    CHECK(asked.numberOfLists() < n / 2 + n / stride + 2); // a half are the sample
+    sites = test::shaken(sites, step % 5 == 4 ? 0.1 : 2e-4, static_cast<std::uint64_t>(step));
+    if (step % 5 == 2)
+    {
+      std::copy_n(sites.site(n / 2), sites.dimension, sites.site(n / 3)); // one leaps
+    }
+  }
+  CHECK(anew >= 2 && anew < 12);
+}
+
+void testOnlyAsked()
+{
+  const EmbeddedSurface surface = test::embedded(test::meshOf(test::icosphere(4)), 6);
+  testOnlyAsked(test::sampled(surface, 17000, 5));
+  Sites grid;
+  grid.dimension = 3;
+  for (int s = 0; s < 27 * 27 * 27; ++s)
+  {
+    grid.coordinates.insert(
+      grid.coordinates.end(), { 0.125 * (s % 27), 0.125 * (s / 27 % 27), 0.125 * (s / 729) });
+  }
+  testOnlyAsked(grid);
+}
 }
 
 int TestNeighborLists(int, char*[])
@@ -230,5 +295,6 @@ int TestNeighborLists(int, char*[])
   testUnreachable();
   testLeapers();
   testMovingSites();
+  testOnlyAsked();
   return test::result();
 }

@@ -284,6 +284,57 @@ void testNoRoom(const EmbeddedSurface& surface)
   }
 }
 
+/** A rank makes the neighbour lists that its facets ask for, and those of the sample. */
+void testLists(const EmbeddedSurface& surface)
+{
+  constexpr Index n = 33000; // each fourth is in the sample
+  Sites sites = sampled(surface, n, 3);
+  const Offset half = surface.numberOfFacets() / 2;
+  const EmbeddedSurface part = partOf(surface, 0, half);
+  RestrictedVoronoi voronoi(part);
+  voronoi.beShare(0.5);
+  std::vector<BlockSums> blocks;
+  for (const double moves : { 0.0, 1e-5, 0.02 }) // with the first lists, the same, and new ones
+  {
+    sites = shaken(sites, moves, 5);
+    CHECK(voronoi.integrateBlocks(sites, half, RunControl(), blocks).ok());
+    const Index lists = voronoi.numberOfNeighborLists();
+    CHECK(lists >= static_cast<Index>(blocks[0].sites.size()));
+    CHECK(lists < 0.68 * n);
+  }
+}
+
+/** Ranks get facets by the time that they take: fewer where more sites are. */
+void testDivision(EmbeddedSurface surface)
+{
+  const Index half = surface.numberOfFacets() / 2;
+  for (Index facet = 0; facet < half; ++facet)
+  {
+    surface.constants[facet].mass *= 9.0;
+  }
+  surface.siteMeasure = 0.0;
+  for (Index facet = 0; facet < surface.numberOfFacets(); ++facet)
+  {
+    surface.siteMeasure += surface.siteMeasureOf(facet);
+  }
+  const auto ownPart = [&](Index sites)
+  {
+    double part = 0.0;
+    Post post(2);
+    runOnRanks(post,
+      [&](Ranks& ranks)
+      {
+        part = static_cast<double>(SharedIntegration(ranks, surface, sites).ownBlocks()) /
+          static_cast<double>(facetBlocks(surface).count());
+      });
+    CHECK(post.isEmpty());
+    return part;
+  };
+  CHECK_NEAR(ownPart(1), 0.5, 0.01);
+  // Nine tenths of a work that is all for sites are in the first half.
+  CHECK_NEAR(ownPart(100000), 0.5 / 1.8, 0.02);
+}
+
 /** A cancelled run leaves nothing on the way. */
 void testCancelled(const EmbeddedSurface& surface)
 {
@@ -313,5 +364,9 @@ int TestRanks(int, char*[])
   testFailure(surface);
   testNoRoom(surface);
   testCancelled(surface);
+  testDivision(surface);
+  const EmbeddedSurface fine = embedded(meshOf(icosphere(5)), 6);
+  testLists(fine);
+  testSameBits(fine, 17000); // where only a sample tells when lists are worn
   return result();
 }

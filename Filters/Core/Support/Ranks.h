@@ -60,6 +60,13 @@ public:
     text.assign(letters.begin(), letters.end());
   }
 
+  /** Takes all out; its memory stays. */
+  void clear()
+  {
+    m_bytes.clear();
+    m_next = 0;
+  }
+
   const std::vector<char>& bytes() const { return m_bytes; }
 
 private:

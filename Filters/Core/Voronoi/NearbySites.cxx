@@ -48,14 +48,8 @@ bool NearbySites::lieTogether(const Index* begin, const Index* end, double radiu
 /** Looks up what can be near any of the sites in hand; false if that is too much for many. */
 bool NearbySites::gather(std::ptrdiff_t together, double reach, double radius)
 {
-  m_alone = together == 1;
-  if (m_alone)
-  {
-    m_search.within(m_lower.data(), radius, m_candidates);
-    return true;
-  }
   m_search.within(m_middle.data(), aboveRounding * (reach + radius), m_candidates);
-  if (m_candidates.size() > maxCandidates)
+  if (together > 1 && m_candidates.size() > maxCandidates)
   {
     return false;
   }
@@ -77,11 +71,6 @@ bool NearbySites::gather(std::ptrdiff_t together, double reach, double radius)
 
 void NearbySites::within(Index site, double radius, std::vector<Neighbor>& found)
 {
-  if (m_alone)
-  {
-    found = m_candidates;
-    return;
-  }
   m_evaluate({ m_coordinates.data(), static_cast<int>(m_squared.size() / lanes), m_sites.dimension,
     m_sites.site(site), m_squared.data() });
   const double most = radius * radius;

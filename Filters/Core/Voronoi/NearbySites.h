@@ -97,7 +97,6 @@ private:
   std::vector<double> m_upper;  ///< d
   std::vector<double> m_middle; ///< d
   std::vector<Neighbor> m_candidates;
-  bool m_alone = false;              ///< one site is in hand, and the candidates are its answer
   std::vector<double> m_coordinates; ///< of the candidates, see SiteDistances
   std::vector<double> m_squared;
   std::vector<Neighbor> m_near; ///< scratch

@@ -28,13 +28,17 @@ constexpr Index nearNeighbors = 3;
 constexpr double minReach = 1.6;
 /** Hardly longer than that when they are built, as beside a crowd of sites, lists do not count. */
 constexpr float minSpare = 1.15F;
-/** Lists are built anew when this part of them is worn. */
+/** Lists are built anew when this part of the sample's is worn. */
 constexpr double maxWorn = 0.02;
-/** At most so many sites, and at most one of so many, move by more than the usual. */
-constexpr Offset maxLeapers = 32;
-constexpr Offset sitesForLeaper = 256;
+/**
+ * At least so many sites are the sample: a share of 2 % is found to a fifteenth of itself, and no
+ * rank needs many lists for it alone. With up to twice as many sites, all are.
+ */
+constexpr Index minSample = 8192;
 /** Beside one that came from farther away, in mean reaches of lists, walks would go too far. */
 constexpr double farthestLeap = 4.0;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 Blocks blocksOf(const Sites& sites)
 {
@@ -48,44 +52,36 @@ std::vector<Index> allOf(const Sites& sites)
   return all;
 }
 
-/** The coordinates of some sites as SiteDistances wants them; far away where a group has none. */
-std::vector<double> packGroups(const Sites& sites, const std::vector<Index>& some, int groups)
-{
-  const auto d = static_cast<std::size_t>(sites.dimension);
-  std::vector<double> coordinates(groups * lanes * d, std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < some.size(); ++k)
-  {
-    for (std::size_t m = 0; m < d; ++m)
-    {
-      coordinates[(k / lanes * d + m) * lanes + k % lanes] = sites.site(some[k])[m];
-    }
-  }
-  return coordinates;
-}
-
-/** Order by rank: no branch to foresee, and several comparisons at once. */
+/**
+ * Order by rank: no branch to foresee, and several comparisons at once. Equal ones by their ids,
+ * whatever the order in which they were found.
+ */
 void orderByDistance(std::vector<Neighbor>& found)
 {
   if (found.size() > maxOrdered)
   {
     std::nth_element(found.begin(), found.begin() + maxOrdered, found.end(),
-      [](const Neighbor& a, const Neighbor& b) { return a.distance < b.distance; });
+      [](const Neighbor& a, const Neighbor& b)
+      { return a.distance != b.distance ? a.distance < b.distance : a.site < b.site; });
     found.resize(maxOrdered);
   }
   const int count = static_cast<int>(found.size());
   float keys[maxOrdered];
+  Index sites[maxOrdered];
   Neighbor ordered[maxOrdered];
   for (int k = 0; k < count; ++k)
   {
     keys[k] = static_cast<float>(found[k].distance);
+    sites[k] = found[k].site;
   }
   for (int k = 0; k < count; ++k)
   {
     const float key = keys[k];
+    const Index site = sites[k];
     int rank = 0;
     for (int other = 0; other < count; ++other)
     {
-      rank += (keys[other] < key) + ((keys[other] == key) & (other < k));
+      rank += (keys[other] < key) + ((keys[other] == key) & (sites[other] < site));
     }
     ordered[rank] = found[k];
   }
@@ -99,6 +95,7 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
   {
     return this->build(sites, control);
   }
+  m_now = &sites;
   if (Status status = this->measureDisplacements(sites, control.silent()); !status.ok())
   {
     return status;
@@ -111,12 +108,14 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
   {
     return this->build(sites, control);
   }
-  const std::vector<Index> leapers = this->findLeapers();
+  m_usualDisplacement = m_leapers.find(sites, m_displacements);
   if (this->worn()) // by the usual moves alone
   {
     return this->build(sites, control);
   }
-  if (!this->measureLeapers(sites, leapers, control.silent()))
+  const bool measured = this->forEachList(control.silent(),
+    [&](Index site) { m_places[site].leapers = m_leapers.nearestTo(sites, site); });
+  if (!measured)
   {
     m_usualDisplacement = m_largestDisplacement;
     return Status::cancelled();
@@ -124,88 +123,55 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
   return this->worn() ? this->build(sites, control) : Status::success();
 }
 
-Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl& control)
+template <class Visit>
+bool NeighborLists::forEachList(const RunControl& control, const Visit& visit)
 {
-  const bool measured = forEachItem(blocksOf(sites), control,
+  return forEachItem(blocksOf(*m_sites), control,
     [&](Offset k)
     {
       const auto site = static_cast<Index>(k);
-      m_displacements[k] = aboveRounding *
-        std::sqrt(
-          squaredDistance<Eigen::Dynamic>(sites.site(site), m_built.site(site), sites.dimension));
+      if (this->isListed(site))
+      {
+        visit(site);
+      }
+    });
+}
+
+Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl& control)
+{
+  const bool measured = dispatchDimension(sites.dimension,
+    [&](auto dimension)
+    {
+      return forEachItem(blocksOf(sites), control,
+        [&](Offset k)
+        {
+          const auto site = static_cast<Index>(k);
+          const double squared = squaredDistance<decltype(dimension)::value>(
+            sites.site(site), m_built.site(site), sites.dimension);
+          m_displacements[k] = aboveRounding * std::sqrt(squared);
+        });
     });
   m_largestDisplacement = *std::max_element(m_displacements.begin(), m_displacements.end());
   m_usualDisplacement = m_largestDisplacement;
-  std::fill(m_leapers.begin(), m_leapers.end(), std::numeric_limits<float>::infinity());
+  m_leapers.clear();
   const bool compared = measured &&
-    forEachItem(blocksOf(sites), control,
-      [&](Offset k)
+    this->forEachList(control,
+      [&](Index site)
       {
-        m_approaches[k] =
-          m_displacements[k] + this->list(static_cast<Index>(k)).largestOf(m_displacements);
+        Place& place = m_places[site];
+        place.approach = this->approachOf(site, place.count);
+        place.leapers = infinity;
       });
   return compared ? Status::success() : Status::cancelled();
-}
-
-/** The few sites that moved farthest; the usual displacement is that of the others. */
-std::vector<Index> NeighborLists::findLeapers()
-{
-  const auto count = static_cast<Offset>(m_displacements.size());
-  std::vector<Index> order(static_cast<std::size_t>(count));
-  std::iota(order.begin(), order.end(), 0);
-  const auto last = order.begin() + std::min(maxLeapers, count / sitesForLeaper);
-  std::nth_element(order.begin(), last, order.end(),
-    [&](Index a, Index b)
-    {
-      return m_displacements[a] != m_displacements[b] ? m_displacements[a] > m_displacements[b]
-                                                      : a < b;
-    });
-  m_usualDisplacement = m_displacements[*last];
-  order.erase(last, order.end());
-  return order;
-}
-
-bool NeighborLists::measureLeapers(
-  const Sites& sites, const std::vector<Index>& leapers, const RunControl& control)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto groups = static_cast<int>((leapers.size() + lanes - 1) / lanes);
-  const std::vector<double> coordinates = packGroups(sites, leapers, groups);
-  std::vector<char> isLeaper(static_cast<std::size_t>(sites.count()), 0);
-  for (const Index leaper : leapers)
-  {
-    isLeaper[leaper] = 1;
-  }
-  const SiteDistanceEvaluation measure = siteDistanceEvaluation(widestInstructionSet());
-  return forEachRange(blocksOf(sites), control,
-    [&](Offset begin, Offset end)
-    {
-      std::vector<double> squared(static_cast<std::size_t>(groups * lanes));
-      for (Offset k = begin; k < end; ++k)
-      {
-        measure({ coordinates.data(), groups, sites.dimension, sites.site(static_cast<Index>(k)),
-          squared.data() });
-        if (isLeaper[k])
-        {
-          const auto own = std::find(leapers.begin(), leapers.end(), static_cast<Index>(k));
-          squared[own - leapers.begin()] = infinity;
-        }
-        double nearest = infinity;
-        for (int group = 0; group < groups; ++group)
-        {
-          nearest = std::min(nearest, minOfLanes(squared.data() + group * lanes));
-        }
-        m_leapers[k] = roundedDown(std::sqrt(nearest) / aboveRounding);
-      }
-    });
 }
 
 double NeighborLists::meanReach() const
 {
   double sum = 0.0;
   Offset count = 0;
-  for (const Place& place : m_places)
+  for (const Index site : m_sample)
   {
+    const Place& place = m_places[site];
     const bool endsEarly = place.count < m_length; // it holds all of a patch
     sum += endsEarly ? 0.0 : static_cast<double>(place.reach);
     count += endsEarly ? 0 : 1;
@@ -215,26 +181,59 @@ double NeighborLists::meanReach() const
 
 bool NeighborLists::worn() const
 {
-  Offset worn = 0;
-  const auto count = static_cast<Offset>(m_places.size());
-  for (Offset k = 0; k < count; ++k)
-  {
-    double farthest = 0.0;
-    worn += !this->holds(static_cast<Index>(k), m_places[k].needed, farthest);
-  }
-  return static_cast<double>(worn) > maxWorn * static_cast<double>(count);
+  const auto worn = std::count_if(m_sample.begin(), m_sample.end(),
+    [&](Index site)
+    {
+      double farthest = 0.0;
+      return !this->holds(site, m_places[site].needed, farthest);
+    });
+  return static_cast<double>(worn) > maxWorn * static_cast<double>(m_sample.size());
 }
 
-double NeighborLists::radiusLike(const Place& like) const
+/** Beside the sample. @param known whether there are lists of as many sites. */
+std::vector<Index> NeighborLists::othersToList(bool known) const
+{
+  std::vector<Index> others;
+  for (Index site = 0; site < m_built.count(); ++site)
+  {
+    const bool wanted = !m_onlyAsked || (known && this->isListed(site));
+    if (wanted && this->standIn(site) != site)
+    {
+      others.push_back(site);
+    }
+  }
+  return others;
+}
+
+Index NeighborLists::numberOfLists() const
+{
+  Index number = 0;
+  for (Index site = 0; site < m_sites->count(); ++site)
+  {
+    number += this->isListed(site) ? 1 : 0;
+  }
+  return number;
+}
+
+double NeighborLists::radiusAround(double reach, Index count) const
 {
   // In two dimensions the number of sites grows with the square of the radius.
-  return like.count > 0 && like.reach < m_limit
-    ? std::min(m_limit, like.reach * std::sqrt(wantedWithin / (like.count + 1.0)))
+  return count > 0 && reach < m_limit
+    ? std::min(m_limit, reach * std::sqrt(wantedWithin / (count + 1.0)))
     : 0.0;
 }
 
-void NeighborLists::buildList(
-  Index site, double radius, NearbySites& nearby, std::vector<Neighbor>& found)
+/** @param count of the site's list. */
+double NeighborLists::approachOf(Index site, Index count) const
+{
+  const std::size_t first = static_cast<std::size_t>(site) * static_cast<std::size_t>(m_length);
+  const NeighborList list{ m_ids.get() + first, m_distances.get() + first, count };
+  return m_displacements[site] + list.largestOf(m_displacements);
+}
+
+/** Returns the number of its entries: when that is in the site's place, others read it. */
+Index NeighborLists::makeList(
+  Index site, double radius, NearbySites& nearby, std::vector<Neighbor>& found) const
 {
   const auto length = static_cast<std::size_t>(m_length);
   Place& place = m_places[site];
@@ -256,10 +255,10 @@ void NeighborLists::buildList(
     orderByDistance(found);
   }
   place.reach = found.size() > length ? below(found[length].distance) : roundedDown(radius);
-  place.count = static_cast<Index>(std::min(length, found.size()));
+  const auto count = static_cast<Index>(std::min(length, found.size()));
   double near = 0.0;
   const std::size_t first = static_cast<std::size_t>(site) * length;
-  for (Index k = 0; k < place.count; ++k)
+  for (Index k = 0; k < count; ++k)
   {
     m_ids[first + k] = found[k].site;
     m_distances[first + k] = below(found[k].distance); // as floats they were put in order
@@ -267,74 +266,123 @@ void NeighborLists::buildList(
   }
   const auto needed = static_cast<float>(minReach / nearNeighbors * near);
   place.needed = place.reach < minSpare * needed ? 0.0F : needed;
+  place.radius = static_cast<float>(this->radiusAround(place.reach, count));
+  return count;
 }
 
-Status NeighborLists::build(const Sites& sites, const RunControl& control)
+template <class Radius>
+bool NeighborLists::makeLists(
+  const std::vector<Index>& listed, const RunControl& control, const Radius& radius) const
 {
-  if (m_built.coordinates.empty())
+  const Blocks blocks = Blocks::cut(static_cast<Offset>(listed.size()), 1024, 4096);
+  return forEachRange(blocks, control,
+    [&](Offset begin, Offset end)
+    {
+      NearbySites nearby(*m_search, *m_sites);
+      std::vector<Neighbor> found;
+      double former = 0.0;
+      nearby.forEach(
+        listed.data() + begin, listed.data() + end,
+        [&](Index site) { return radius(site, former); },
+        [&](Index site, double within)
+        {
+          Place& place = m_places[site];
+          place.approach = 0.0;
+          place.leapers = infinity;
+          place.count.store(this->makeList(site, within, nearby, found), std::memory_order_release);
+          former = place.radius;
+        });
+    });
+}
+
+void NeighborLists::makeAsked(Index site) const
+{
+  const std::lock_guard<std::mutex> guard(m_locks[static_cast<std::size_t>(site) % numberOfLocks]);
+  if (this->isListed(site))
   {
-    m_places.clear(); // some lists may have been left out, and tell nothing
+    return; // it came meanwhile
   }
-  m_built = sites;
-  return this->buildFor(m_built, allOf(sites), control);
+  NearbySites nearby(*m_search, *m_sites);
+  std::vector<Neighbor> found;
+  nearby.forEach(
+    &site, &site + 1, [&](Index) { return this->radiusOfStandIn(site); },
+    [&](Index, double within)
+    {
+      Place& place = m_places[site];
+      const Index count = this->makeList(site, within, nearby, found);
+      place.approach = this->approachOf(site, count);
+      place.leapers = m_leapers.nearestTo(*m_now, site);
+      place.count.store(count, std::memory_order_release); // from now on others read it
+    });
 }
 
-Status NeighborLists::buildInPlace(
-  const Sites& sites, const RunControl& control, const std::vector<Index>* some)
+void NeighborLists::begin(const Sites& sites)
 {
-  m_built = Sites{};
-  m_places.clear(); // they are made anew, and the others are to be empty
-  return this->buildFor(sites, some ? *some : allOf(sites), control);
-}
-
-void NeighborLists::makeRoom(std::size_t entries)
-{
-  if (m_room < entries)
+  const auto n = static_cast<std::size_t>(sites.count());
+  m_sites = &sites;
+  m_now = &sites;
+  m_search.emplace(sites);
+  m_length = std::min(longestList, sites.count() - 1);
+  if (const std::size_t entries = n * static_cast<std::size_t>(m_length); m_room < entries)
   {
     m_ids.reset(new Index[entries]);
     m_distances.reset(new float[entries]);
     m_room = entries;
   }
-}
-
-Status NeighborLists::buildFor(
-  const Sites& sites, const std::vector<Index>& listed, const RunControl& control)
-{
-  const Index count = sites.count();
-  const auto n = static_cast<std::size_t>(count);
-  const bool known = m_search && m_places.size() == n;
-  m_search.emplace(sites);
-  m_length = std::min(longestList, count - 1);
-  this->makeRoom(n * static_cast<std::size_t>(m_length));
-  m_places.resize(n);
+  if (m_places.size() != n)
+  {
+    m_places = std::vector<Place>(n);
+  }
+  for (Place& place : m_places)
+  {
+    place.count.store(unlisted, std::memory_order_relaxed);
+  }
   m_displacements.assign(n, 0.0);
-  m_approaches.assign(n, 0.0);
   m_largestDisplacement = 0.0;
   m_usualDisplacement = 0.0;
-  m_leapers.assign(n, std::numeric_limits<float>::infinity());
-  const Blocks blocks = Blocks::cut(static_cast<Offset>(listed.size()), 1024, 4096);
-  const bool done = forEachRange(blocks, control,
-    [&](Offset begin, Offset end)
-    {
-      NearbySites nearby(*m_search, sites);
-      std::vector<Neighbor> found;
-      double former = 0.0; // nothing is known yet
-      // Its own last list, or that of a site before, which is near as a rule, tells how far to
-      // look.
-      const auto radius = [&](Index site)
-      { return known ? this->radiusLike(m_places[site]) : former; };
-      nearby.forEach(listed.data() + begin, listed.data() + end, radius,
-        [&](Index site, double within)
-        {
-          this->buildList(site, within, nearby, found);
-          former = this->radiusLike(m_places[site]);
-        });
-    });
+  m_leapers.clear();
+}
+
+Status NeighborLists::finish(bool done)
+{
   if (!done)
   {
     m_search.reset(); // half-filled lists are none
     return Status::cancelled();
   }
   return Status::success();
+}
+
+Status NeighborLists::build(const Sites& sites, const RunControl& control)
+{
+  const bool known = m_search && m_places.size() == static_cast<std::size_t>(sites.count()) &&
+    !m_built.coordinates.empty(); // in place there was no sample
+  m_built = sites;
+  m_stride = std::max(1, sites.count() / minSample);
+  const std::vector<Index> others = this->othersToList(known);
+  m_sample.clear();
+  for (Index site = 0; site < sites.count(); site += m_stride)
+  {
+    m_sample.push_back(site);
+  }
+  this->begin(m_built);
+  // Its own last list, or that of a site before, which is near as a rule, tells how far to look.
+  const bool done =
+    this->makeLists(m_sample, control.step(0, 2),
+      [&](Index site, double former) { return known ? m_places[site].radius : former; }) &&
+    this->makeLists(
+      others, control.step(1, 2), [&](Index site, double) { return this->radiusOfStandIn(site); });
+  return this->finish(done);
+}
+
+Status NeighborLists::buildInPlace(
+  const Sites& sites, const RunControl& control, const std::vector<Index>* some)
+{
+  m_built = Sites{};
+  m_stride = 0;
+  const std::vector<Index> listed = some ? *some : allOf(sites);
+  this->begin(sites);
+  return this->finish(
+    this->makeLists(listed, control, [](Index, double former) { return former; }));
 }
 }

@@ -26,11 +26,10 @@ public:
 
   Status integrate(Packet& packet, std::vector<BlockSums>& blocks)
   {
-    Sites sites;
-    packet.take(sites.dimension);
-    packet.take(sites.fixed);
-    packet.take(sites.coordinates);
-    return m_voronoi.integrateBlocks(sites, m_blockLength, RunControl(), blocks);
+    packet.take(m_sites.dimension);
+    packet.take(m_sites.fixed);
+    packet.take(m_sites.coordinates);
+    return m_voronoi.integrateBlocks(m_sites, m_blockLength, RunControl(), blocks);
   }
 
 private:
@@ -45,6 +44,7 @@ private:
   Offset m_blockLength;
   double m_share;
   EmbeddedSurface m_surface;
+  Sites m_sites;
   RestrictedVoronoi m_voronoi;
 };
 
@@ -66,24 +66,21 @@ Status tryTo(const Work& work)
   }
 }
 
-Packet answer(const Status& status)
+void begin(const Status& status, Packet& answer)
 {
-  Packet packet;
-  packet.add(status.code);
-  packet.add(status.message);
-  return packet;
+  answer.clear();
+  answer.add(status.code);
+  answer.add(status.message);
 }
 
-Packet answer(const std::vector<BlockSums>& blocks)
+void addBlocks(const std::vector<BlockSums>& blocks, Packet& packet)
 {
-  Packet packet = answer(Status::success());
   packet.add(blocks.size());
   for (const BlockSums& block : blocks)
   {
     packet.add(block.sites);
     packet.add(block.values);
   }
-  return packet;
 }
 }
 
@@ -91,10 +88,11 @@ void workForFirst(Ranks& ranks)
 {
   std::unique_ptr<PartIntegration> part;
   std::vector<BlockSums> blocks;
+  Packet answer; // both are kept for their memory
   for (;;)
   {
     bool leaves = false;
-    Packet sums;
+    bool answered = false;
     const auto follow = [&]
     {
       Packet packet = ranks.receive(Ranks::first);
@@ -114,16 +112,25 @@ void workForFirst(Ranks& ranks)
       {
         return Status::invalid("There is no surface.");
       }
-      Status status = part->integrate(packet, blocks);
-      sums = status.ok() ? answer(blocks) : sums;
-      return status;
+      if (Status status = part->integrate(packet, blocks); !status.ok())
+      {
+        return status;
+      }
+      begin(Status::success(), answer);
+      addBlocks(blocks, answer);
+      answered = true;
+      return Status::success();
     };
     const Status status = tryTo(follow);
     if (leaves)
     {
       return;
     }
-    ranks.send(Ranks::first, sums.bytes().empty() ? answer(status) : sums);
+    if (!answered)
+    {
+      begin(status, answer);
+    }
+    ranks.send(Ranks::first, answer);
   }
 }
 

@@ -22,7 +22,7 @@ enum class RankOrder : int
  * Does what the first rank asks for, until it is told to leave. What fails here is told to the
  * first, whose run ends with it.
  *
- * Memory: the part of the surface, and the sites with their neighbour lists.
+ * Memory: the part of the surface, and the sites, with the neighbour lists that it asks for.
  */
 void workForFirst(Ranks& ranks);
 

@@ -147,7 +147,7 @@ Status RestrictedVoronoi::beginOthers(const Sites& sites)
   {
     if (m_ranks && !m_shared)
     {
-      m_shared = std::make_unique<SharedIntegration>(*m_ranks, m_surface);
+      m_shared = std::make_unique<SharedIntegration>(*m_ranks, m_surface, sites.count());
     }
     if (m_shared)
     {

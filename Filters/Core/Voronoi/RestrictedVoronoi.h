@@ -72,10 +72,21 @@ public:
    *
    * @param ranks nullptr: none. They must outlive this object.
    */
-  void divideAmong(Ranks* ranks) { m_ranks = ranks && ranks->count() > 1 ? ranks : nullptr; }
+  void divideAmong(Ranks* ranks)
+  {
+    m_ranks = ranks && ranks->count() > 1 ? ranks : nullptr;
+    if (m_ranks)
+    {
+      m_lists.makeOnlyAsked();
+    }
+  }
 
   /** Tells that the surface is about this share of the one that the sites are spread over. */
-  void beShare(double share) { m_share = share; }
+  void beShare(double share)
+  {
+    m_share = share;
+    m_lists.makeOnlyAsked();
+  }
 
   /** Integrals over the cells of these sites (at least one). */
   Status integrate(const Sites& sites, const RunControl& control, CellSums& sums);
@@ -97,6 +108,8 @@ public:
 
   /** Site that owns each corner (C), of the last evaluation. */
   const std::vector<Index>& owners() const { return m_ownership.owners(); }
+  /** Of the last evaluation. O(n). */
+  Index numberOfNeighborLists() const { return m_lists.numberOfLists(); }
   /** Diagrams computed so far. */
   int evaluations() const { return m_evaluations; }
   const EvaluationTimes& times() const { return m_times; }

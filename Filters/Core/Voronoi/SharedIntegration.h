@@ -5,7 +5,8 @@
  * Each rank has the blocks of a range of facets and keeps them; the first has the whole surface as
  * well. For each evaluation the first sends the sites to all, and gets back the sums of their
  * blocks, which it adds up in the order of the blocks: how many ranks there are changes no bit.
- * Neighbour lists are made by each rank for itself, from the same sites.
+ * Neighbour lists are made by each rank for itself, from the same sites, as its facets ask for
+ * them.
  *
  * Sent for an evaluation: to each rank n d doubles; back from it, for each block and each site that
  * the block meets, d + 2 doubles and an index.
@@ -29,21 +30,22 @@ class SharedIntegration
 {
 public:
   /**
-   * Sends the parts of the surface.
+   * Sends the parts of the surface, which are to take equally long.
    *
    * @param ranks more than one. They must outlive it.
+   * @param numberOfSites about as many as will be there.
    */
-  SharedIntegration(Ranks& ranks, const EmbeddedSurface& surface);
+  SharedIntegration(Ranks& ranks, const EmbeddedSurface& surface, Index numberOfSites);
   /** Takes what others have still to send. */
   ~SharedIntegration();
   SharedIntegration(const SharedIntegration&) = delete;
   SharedIntegration& operator=(const SharedIntegration&) = delete;
 
   /** The first so many blocks are this rank's. */
-  Offset ownBlocks() const;
+  Offset ownBlocks() const { return m_ownBlocks; }
   /** None of a higher number is used by their facets. */
   Index ownCorners() const { return m_ownCorners; }
-  /** Of the facets. */
+  /** Of the surface, and so of the sites. */
   double ownShare() const { return m_ownShare; }
 
   /** The others begin, unless one of them could not take its part: `end` tells. */
@@ -63,7 +65,9 @@ private:
   Status addNext(int dimension, const RunControl& control, CellSums* sums);
 
   Ranks& m_ranks;
-  Offset m_blocks;
+  Packet m_order;                  ///< this and the next are kept for their memory
+  std::vector<BlockSums> m_blocks; ///< of another rank
+  Offset m_ownBlocks = 0;
   Index m_ownCorners = 0;
   double m_ownShare = 0.0;
   int m_next;                         ///< the rank that is to answer next; their number: none

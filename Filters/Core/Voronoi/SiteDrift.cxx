@@ -33,13 +33,17 @@ double firstRadius(Index site, const NeighborLists& lists)
 /** From where they were at the last update. */
 bool SiteDrift::measureMoves(const Sites& sites, const RunControl& control)
 {
-  return forEachItem(blocksOf(sites), control,
-    [&](Offset k)
+  return dispatchDimension(sites.dimension,
+    [&](auto dimension)
     {
-      const auto site = static_cast<Index>(k);
-      const double squared =
-        squaredDistance<Eigen::Dynamic>(sites.site(site), m_last.site(site), sites.dimension);
-      m_moves[k] = aboveRounding * std::sqrt(squared);
+      return forEachItem(blocksOf(sites), control,
+        [&](Offset k)
+        {
+          const auto site = static_cast<Index>(k);
+          const double squared = squaredDistance<decltype(dimension)::value>(
+            sites.site(site), m_last.site(site), sites.dimension);
+          m_moves[k] = aboveRounding * std::sqrt(squared);
+        });
     });
 }
 
@@ -58,6 +62,10 @@ Status SiteDrift::update(const Sites& sites, const NeighborLists& lists, const R
       {
         const auto site = static_cast<Index>(k);
         Place& place = m_places[k];
+        if (place.radius == 0.0 && !lists.isListed(site))
+        {
+          return; // nobody has asked for it
+        }
         place.drift += m_moves[k] + lists.list(site).largestOf(m_moves);
         place.radius += m_moves[k];
         // Others are at least 3 radii away, and so 2 from each point: they lead by 1.
