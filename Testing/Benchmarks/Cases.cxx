@@ -1,5 +1,6 @@
 #include "Cases.h"
 
+#include "RankRun.h"
 #include "Runs.h"
 #include "Scaling.h"
 
@@ -93,6 +94,16 @@ void measureWideRun(Workshop& workshop, CaseResult& result)
   result.measurements.push_back(one);
 }
 
+void scaleRanks(Workshop& workshop, CaseResult& result)
+{
+  const RankRun run = { 0, static_cast<int>(workshop.shrunk(16.0 * scanTriangles)),
+    static_cast<int>(workshop.shrunk(1e5)) };
+  const Surface surface = bumpyTorus(run.triangles);
+  Measurement one = described(surface, run.points, workshop.settings());
+  one.figures = rankRuns(run, workshop.settings(), result.figures);
+  result.measurements.push_back(one);
+}
+
 Case metricCase(const char* name, double surfacePoints)
 {
   return { std::string("metric-") + name, "the embedding of a metric, and remeshing in it",
@@ -156,6 +167,7 @@ const std::vector<Case>& allCases()
     { "scaling-size", "over triangles m and points n: the fit a m + b n", scaleSize },
     { "scaling-ratio", "over a factor of 100 at fixed m / n: the exponent", scaleRatio },
     { "scaling-dimension", "over d from 3 to 1000", scaleDimension },
+    { "scaling-ranks", "an optimisation on 1, 2 and 4 processes: the speed-up", scaleRanks },
     { "scaling-threads", "the filter with 1, 2, 4... threads: the speed-up", scaleThreads },
   };
   return cases;

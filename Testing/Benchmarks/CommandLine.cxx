@@ -140,6 +140,12 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments, const Se
       line.metric.surfacePoints = words.countOf(option, 1, 1000000000);
       line.metric.points = words.countOf(option, 1, 1000000000);
     }
+    else if (option == "--rank-run")
+    {
+      line.ranks.ranks = words.countOf(option, 1, 1024);
+      line.ranks.triangles = words.countOf(option, 1, 1000000000);
+      line.ranks.points = words.countOf(option, 1, 1000000000);
+    }
     else
     {
       parseSetting(option, words, line.settings);

@@ -24,6 +24,7 @@ struct CommandLine
   std::vector<std::string> command; ///< of --cost-of
   WideRun wide;                     ///< of --wide-run
   MetricRun metric;                 ///< of --metric-run
+  RankRun ranks;                    ///< of --rank-run
   ///@}
 };
 

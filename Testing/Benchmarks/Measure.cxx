@@ -34,6 +34,15 @@ double seconds(const timeval& time)
 {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
+
+double megabytes(const rusage& usage)
+{
+#ifdef __APPLE__
+  return 1e-6 * static_cast<double>(usage.ru_maxrss);
+#else
+  return 1e-6 * 1024.0 * static_cast<double>(usage.ru_maxrss);
+#endif
+}
 }
 
 double median(std::vector<double> values)
@@ -57,13 +66,28 @@ double calibrate(vtkPolyData* surface, int points)
   return median(runs);
 }
 
-Cost costOf(const std::string& self, const std::vector<std::string>& command)
+std::string commandLine(const std::vector<std::string>& words)
 {
-  std::string line = "exec " + quoted(self) + " --cost-of";
-  for (const std::string& word : command)
+  std::string line = "exec";
+  for (const std::string& word : words)
   {
     line += ' ' + quoted(word);
   }
+  return line;
+}
+
+double peakMegabytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return megabytes(usage);
+}
+
+Cost costOf(const std::string& self, const std::vector<std::string>& command)
+{
+  std::vector<std::string> words = { self, "--cost-of" };
+  words.insert(words.end(), command.begin(), command.end());
+  const std::string line = commandLine(words);
   FILE* const answer = popen(line.c_str(), "r");
   if (!answer)
   {
@@ -104,13 +128,8 @@ int printCost(const std::vector<std::string>& command)
   {
     return EXIT_FAILURE;
   }
-#ifdef __APPLE__
-  const double megabytes = 1e-6 * static_cast<double>(usage.ru_maxrss);
-#else
-  const double megabytes = 1e-6 * 1024.0 * static_cast<double>(usage.ru_maxrss);
-#endif
-  std::printf(
-    "%.9g %.9g %.9g\n", elapsed.wall, seconds(usage.ru_utime) + seconds(usage.ru_stime), megabytes);
+  std::printf("%.9g %.9g %.9g\n", elapsed.wall, seconds(usage.ru_utime) + seconds(usage.ru_stime),
+    megabytes(usage));
   return EXIT_SUCCESS;
 }
 }

@@ -35,6 +35,12 @@ Elapsed timed(const Work& work)
  */
 double calibrate(vtkPolyData* surface, int points);
 
+/** A POSIX shell's command line. */
+std::string commandLine(const std::vector<std::string>& words);
+
+/** Peak resident memory of this process, of 10^6 bytes. */
+double peakMegabytes();
+
 /** What another program took. */
 struct Cost
 {

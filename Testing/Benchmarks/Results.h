@@ -45,6 +45,14 @@ struct MetricRun
   int points = 0;        ///< of the mesh that it is for
 };
 
+/** An optimisation that several processes share. */
+struct RankRun
+{
+  int ranks = 0; ///< 0: no run
+  int triangles = 0;
+  int points = 0;
+};
+
 struct Figure
 {
   std::string name;

@@ -1,11 +1,9 @@
 #include "Runs.h"
 
-#include "Adaptors/ExecutionScope.h"
 #include "Measure.h"
-#include "Optimization/Lloyd.h"
-#include "Optimization/QuasiNewton.h"
 #include "Optimization/Sampling.h"
 #include "Run/FirstSites.h"
+#include "RunParts.h"
 #include "vtkAnisotropicRemesher.h"
 #include "vtkMetricEmbedding.h"
 
@@ -25,41 +23,6 @@ namespace
 {
 constexpr int convergedIterations = 300;
 
-void orThrow(const Status& status)
-{
-  if (!status.ok())
-  {
-    throw std::runtime_error(status.message);
-  }
-}
-
-/** An optimisation as Remesh.cxx runs it, with its diagrams. */
-struct Optimization
-{
-  explicit Optimization(const EmbeddedSurface& surface)
-    : voronoi(surface)
-  {
-  }
-
-  void run(const EmbeddedSurface& surface, int lloyd, int newton)
-  {
-    orThrow(relaxLloyd(
-      { this->voronoi, surface, 0, this->sites, this->sums, this->convergence, this->emptyCells },
-      lloyd, RunControl()));
-    QuasiNewtonOptions options;
-    options.iterations = newton;
-    orThrow(minimizeQuasiNewton(
-      { this->voronoi, surface, 0, this->sites, this->sums, this->convergence, this->emptyCells },
-      options, RunControl()));
-  }
-
-  RestrictedVoronoi voronoi;
-  Sites sites;
-  CellSums sums;
-  Convergence convergence;
-  Index emptyCells = 0;
-};
-
 /** What a default run starts from, where there are no features. */
 Sites firstSites(const EmbeddedSurface& surface, Offset points)
 {
@@ -69,26 +32,6 @@ Sites firstSites(const EmbeddedSurface& surface, Offset points)
   RemeshResult start;
   orThrow(makeSites({ mesh, surface, nullptr, options }, RunControl(), start));
   return start.sites;
-}
-
-/** In the back-end that the filter chooses, with as many threads as are set. */
-void inScope(const Settings& settings, const std::function<void()>& work)
-{
-  bool available = false;
-  Execution execution = chooseExecution("", settings.threads, available);
-  runInScope(execution, work);
-}
-
-/** Medians over repetitions of a run. */
-template <class Run>
-Figures repeated(const Settings& settings, const Run& run)
-{
-  std::vector<Figures> runs;
-  for (int k = 0; k < settings.repetitions; ++k)
-  {
-    runs.push_back(run());
-  }
-  return medians(runs);
 }
 
 Figures evaluationOnce(const EmbeddedSurface& surface, const Sites& sites, const Settings& settings)

@@ -72,9 +72,25 @@ def check_measurement(case, one):
     if case["name"].startswith("exact-"):
         check(figures["processor"]["value"] > 0.0, *where, figures)
         check(-90.0 < figures["exactness"]["value"] < 900.0, *where, figures)
+    if case["name"] == "scaling-ranks":
+        check_ranks(one["points"], figures, where)
     if case["name"].startswith("energy-"):
         check(0.0 <= figures["energy_above_converged"]["value"] < 20.0, *where, figures)
         check(figures["steps_to_0.3_percent"]["value"] >= 0, *where, figures)
+
+
+def check_ranks(points, figures, where):
+    """What is sent for an evaluation: to each other the sites, and back the sums of blocks."""
+    def value(name):
+        return figures[name]["value"]
+    for ranks in (1, 2, 4):
+        check(value(f"wall_{ranks}") > 0.0 and value(f"first_{ranks}") > 0.0, *where, ranks)
+    for ranks in (2, 4):
+        check(value(f"other_{ranks}") > 0.0, *where, ranks)
+        check(1e-6 * 48 * points <= value(f"sent_{ranks}") <= 1e-6 * (48 * points + 100), *where,
+              value(f"sent_{ranks}"))
+        check(value(f"back_{ranks}") > 0.5e-6 * 68 * points / ranks, *where)
+        check(1.0 < value(f"memory_other_{ranks}") < value("memory_1"), *where, ranks)
 
 
 def check_exponent(case):
@@ -111,6 +127,7 @@ def check_result(result, names):
     sizes = [cases[name]["measurements"][0]["triangles"] for name in ("metric-200k-10k",
                                                                       "metric-2M-10k")]
     check(all(0.9 < size / asked < 1.1 for size, asked in zip(sizes, (2e3, 2e4))), sizes)
+    check({"processor_2", "processor_4"} <= set(cases["scaling-ranks"]["figures"]), "scaling-ranks")
     speedups = cases["scaling-threads"]["figures"]
     check(speedups and all(figure["value"] == 1.0 if name.endswith("_1") else figure["value"] > 0.0
                            for name, figure in speedups.items()), speedups)

@@ -7,6 +7,7 @@
 #include "Cases.h"
 #include "CommandLine.h"
 #include "Measure.h"
+#include "RankRun.h"
 #include "Runs.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -146,6 +147,10 @@ int run(const char* self, const std::vector<std::string>& arguments)
   else if (line.metric.surfacePoints > 0)
   {
     runMetric(line.metric, line.settings);
+  }
+  else if (line.ranks.ranks > 0)
+  {
+    runOnRanks(line.ranks, line.settings);
   }
   else if (line.help)
   {

@@ -1,0 +1,289 @@
+#include "RankRun.h"
+
+#include "Measure.h"
+#include "Optimization/Sampling.h"
+#include "RunParts.h"
+#include "Surfaces.h"
+#include "Voronoi/RankWork.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+#include <type_traits>
+
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace remesh::benchmark
+{
+namespace
+{
+constexpr int mostRanks = 4;
+
+/** What a process took for its part of a run. */
+struct RankCost
+{
+  double processor = 0.0;
+  double megabytes = 0.0; ///< peak
+  double sent = 0.0;      ///< bytes
+};
+
+/** Processes that are joined to the first by sockets. */
+class SocketRanks : public Ranks
+{
+public:
+  /** @param sockets to each rank; of others than the first, that to it alone. */
+  SocketRanks(int own, std::vector<int> sockets)
+    : m_own(own)
+    , m_sockets(std::move(sockets))
+  {
+  }
+
+  int count() const override { return static_cast<int>(m_sockets.size()); }
+  int own() const override { return m_own; }
+
+  void send(int rank, const Packet& packet) override
+  {
+    const std::size_t size = packet.bytes().size();
+    this->move(rank, ::write, &size, sizeof(size));
+    this->move(rank, ::write, packet.bytes().data(), size);
+    m_sent += static_cast<double>(sizeof(size) + size);
+  }
+
+  Packet receive(int rank) override
+  {
+    std::size_t size = 0;
+    this->move(rank, ::read, &size, sizeof(size));
+    std::vector<char> bytes(size);
+    this->move(rank, ::read, bytes.data(), size);
+    return Packet(std::move(bytes));
+  }
+
+  double sent() const { return m_sent; }
+
+private:
+  /** Reads or writes all of it. */
+  template <class Transfer, class Bytes>
+  void move(int rank, const Transfer& transfer, Bytes* bytes, std::size_t size) const
+  {
+    using Byte = std::conditional_t<std::is_const_v<Bytes>, const char, char>;
+    for (auto* next = reinterpret_cast<Byte*>(bytes); size > 0;)
+    {
+      const ssize_t moved = transfer(m_sockets[rank], next, size);
+      if (moved <= 0)
+      {
+        throw std::runtime_error("process " + std::to_string(rank) + " is gone");
+      }
+      next += moved;
+      size -= static_cast<std::size_t>(moved);
+    }
+  }
+
+  int m_own;
+  std::vector<int> m_sockets;
+  double m_sent = 0.0;
+};
+
+/** Works until it is dismissed, and tells what that took. Returns an exit status. */
+int beOther(SocketRanks& ranks, const Settings& settings)
+{
+  try
+  {
+    RankCost cost;
+    inScope(settings, [&]() { cost.processor = timed([&]() { workForFirst(ranks); }).processor; });
+    cost.megabytes = peakMegabytes();
+    cost.sent = ranks.sent();
+    Packet packet;
+    packet.add(cost);
+    ranks.send(Ranks::first, packet);
+    return EXIT_SUCCESS;
+  }
+  catch (const std::exception&)
+  {
+    return EXIT_FAILURE; // the first finds it gone
+  }
+}
+
+/** Starts the other processes. */
+SocketRanks startOthers(const RankRun& run, const Settings& settings)
+{
+  std::vector<int> sockets = { -1 };
+  for (int rank = 1; rank < run.ranks; ++rank)
+  {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
+    {
+      throw std::runtime_error("cannot make a socket");
+    }
+    const pid_t child = fork();
+    if (child < 0)
+    {
+      throw std::runtime_error("cannot start a process");
+    }
+    if (child == 0)
+    {
+      close(ends[0]);
+      std::vector<int> own(static_cast<std::size_t>(run.ranks), -1);
+      own[Ranks::first] = ends[1];
+      SocketRanks ranks(rank, own);
+      _exit(beOther(ranks, settings));
+    }
+    close(ends[1]);
+    sockets.push_back(ends[0]);
+  }
+  return SocketRanks(Ranks::first, sockets);
+}
+
+/** A number that tells one sequence of bytes from another (FNV-1a). */
+std::uint64_t digestOf(const std::vector<double>& values)
+{
+  const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+  return std::accumulate(bytes, bytes + values.size() * sizeof(double), 0xcbf29ce484222325ULL,
+    [](std::uint64_t digest, unsigned char byte) { return (digest ^ byte) * 0x100000001b3ULL; });
+}
+
+/** What a run printed. */
+struct RankReport
+{
+  unsigned long long digest = 0;
+  int evaluations = 0;
+  double wall = 0.0;
+  std::vector<RankCost> costs; ///< of each rank
+};
+
+RankReport reportOf(const RankRun& run, const Settings& settings)
+{
+  const std::string line = commandLine({ settings.self, "--threads",
+    std::to_string(settings.threads), "--lloyd", std::to_string(settings.lloydIterations),
+    "--newton", std::to_string(settings.newtonIterations), "--rank-run", std::to_string(run.ranks),
+    std::to_string(run.triangles), std::to_string(run.points) });
+  FILE* const answer = popen(line.c_str(), "r");
+  if (!answer)
+  {
+    throw std::runtime_error("cannot start a shell");
+  }
+  RankReport report;
+  bool complete =
+    std::fscanf(answer, "%llu %d %lf", &report.digest, &report.evaluations, &report.wall) == 3;
+  for (int rank = 0; rank < run.ranks; ++rank)
+  {
+    RankCost cost;
+    complete = complete &&
+      std::fscanf(answer, "%lf %lf %lf", &cost.processor, &cost.megabytes, &cost.sent) == 3;
+    report.costs.push_back(cost);
+  }
+  if (pclose(answer) != 0 || !complete)
+  {
+    throw std::runtime_error("the command failed: " + line);
+  }
+  return report;
+}
+
+double largestOfOthers(const RankReport& report, double RankCost::*entry)
+{
+  double largest = 0.0;
+  for (std::size_t rank = 1; rank < report.costs.size(); ++rank)
+  {
+    largest = std::max(largest, report.costs[rank].*entry);
+  }
+  return largest;
+}
+
+/** With the number of ranks behind their names. */
+Figures figuresOf(const RankReport& report)
+{
+  const std::size_t count = report.costs.size();
+  const std::string ranks = "_" + std::to_string(count);
+  Figures figures = { { "wall" + ranks, report.wall, "s" },
+    { "first" + ranks, report.costs[0].processor, "s" },
+    { "memory" + ranks, report.costs[0].megabytes, "MB" } };
+  if (count > 1)
+  {
+    const double share = 1e-6 / report.evaluations;
+    const double back = std::accumulate(report.costs.begin() + 1, report.costs.end(), 0.0,
+      [](double sum, const RankCost& cost) { return sum + cost.sent; });
+    figures.push_back({ "other" + ranks, largestOfOthers(report, &RankCost::processor), "s" });
+    figures.push_back(
+      { "memory_other" + ranks, largestOfOthers(report, &RankCost::megabytes), "MB" });
+    figures.push_back({ "sent" + ranks,
+      1e-6 * report.costs[0].sent / (report.evaluations - 1.0) / (count - 1.0), "MB" });
+    figures.push_back({ "back" + ranks, share * back, "MB" });
+  }
+  return figures;
+}
+
+Figures rankRunsOnce(RankRun run, const Settings& settings)
+{
+  Figures figures;
+  unsigned long long digest = 0;
+  for (run.ranks = 1; run.ranks <= mostRanks; run.ranks *= 2)
+  {
+    const RankReport report = reportOf(run, settings);
+    digest = run.ranks == 1 ? report.digest : digest;
+    if (report.digest != digest)
+    {
+      throw std::runtime_error(std::to_string(run.ranks) + " processes make other bytes than one");
+    }
+    const Figures some = figuresOf(report);
+    figures.insert(figures.end(), some.begin(), some.end());
+  }
+  return figures;
+}
+}
+
+Figures rankRuns(const RankRun& run, const Settings& settings, Figures& scaled)
+{
+  const Figures figures = repeated(settings, [&]() { return rankRunsOnce(run, settings); });
+  for (int count = 2; count <= mostRanks; count *= 2)
+  {
+    const std::string ranks = "_" + std::to_string(count);
+    const double busiest =
+      std::max(value(figures, "first" + ranks), value(figures, "other" + ranks));
+    scaled.push_back({ "processor" + ranks, value(figures, "first_1") / busiest, "1" });
+    if (count <= static_cast<int>(std::thread::hardware_concurrency()))
+    {
+      scaled.push_back(
+        { "wall" + ranks, value(figures, "wall_1") / value(figures, "wall" + ranks), "1" });
+    }
+  }
+  return figures;
+}
+
+void runOnRanks(const RankRun& run, const Settings& settings)
+{
+  SocketRanks ranks = startOthers(run, settings); // while there is little that they would copy
+  const EmbeddedSurface surface = gaussMapped(bumpyTorus(run.triangles).data);
+  Optimization optimization(surface);
+  optimization.voronoi.divideAmong(&ranks);
+  orThrow(
+    sampleSurface(surface, run.points, { SamplingMethod::Stratified, 0 }, optimization.sites));
+  Elapsed elapsed;
+  double sent = 0.0;
+  inScope(settings,
+    [&]()
+    {
+      orThrow(optimization.voronoi.integrate(optimization.sites, RunControl(), optimization.sums));
+      sent -= ranks.sent(); // the surface, once
+      elapsed = timed(
+        [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
+      sent += ranks.sent();
+    });
+  dismissOthers(ranks);
+  std::printf("%llu %d %.9g\n%.9g %.9g %.9g\n",
+    static_cast<unsigned long long>(digestOf(optimization.sites.coordinates)),
+    optimization.voronoi.evaluations(), elapsed.wall, elapsed.processor, peakMegabytes(), sent);
+  for (int rank = 1; rank < run.ranks; ++rank)
+  {
+    Packet packet = ranks.receive(rank);
+    RankCost cost;
+    packet.take(cost);
+    std::printf("%.9g %.9g %.9g\n", cost.processor, cost.megabytes, cost.sent);
+    wait(nullptr);
+  }
+}
+}

@@ -1,0 +1,28 @@
+/**
+ * @file RankRun.h
+ * @brief An optimisation that several processes share, which are joined by sockets.
+ */
+#ifndef remesh_benchmark_RankRun_h
+#define remesh_benchmark_RankRun_h
+
+#include "Results.h"
+
+namespace remesh::benchmark
+{
+/**
+ * The same optimisation on r = 1, 2 and 4 processes, of a bumpy torus from stratified sites. Throws
+ * std::runtime_error unless all give the same bytes. For each r: `wall_r`; the processor seconds of
+ * the first (`first_r`) and of the busiest of the others (`other_r`), in which no waiting is; peak
+ * memory (`memory_r`, `memory_other_r`); and what the first sends to each other for an evaluation
+ * (`sent_r`), and all others to it (`back_r`). Others do nothing but what they share in.
+ *
+ * @param scaled gets the speed-ups over one process: `processor_r` by the processor seconds of the
+ *        busiest one, whatever else the machine does; `wall_r` where it has so many cores.
+ */
+Figures rankRuns(const RankRun& run, const Settings& settings, Figures& scaled);
+
+/** The work of these processes: prints what each took. */
+void runOnRanks(const RankRun& run, const Settings& settings);
+}
+
+#endif
