@@ -2,6 +2,7 @@
 // points that a metric asks for, the same bytes on any threads.
 
 #include "Mesh/EdgeTable.h"
+#include "Mesh/FacetGeometry.h"
 #include "Metric/Gradation.h"
 #include "Metric/MetricRefinement.h"
 #include "Metric/MetricSurface.h"
@@ -113,6 +114,38 @@ void testRefinement()
   CHECK(refined.mesh.numberOfFacets() <= 500);
 }
 
+/** A thin metric across the facets' sides: pieces are long along it, in few facets. */
+void testThinPieces()
+{
+  const SurfaceMesh mesh = meshOf(gridPatch(4, 4));
+  const Point3 across(0.6, 0.8, 0.0);
+  const MetricField metric = fieldOf(mesh,
+    [&](const Point3&) -> Eigen::Matrix3d
+    { return Eigen::Matrix3d::Identity() + 90000.0 * across * across.transpose(); });
+  constexpr double unit = 10.0; // half of it: 5 along, which no facet has, and 1 / 60 across
+  RefinedSurface refined;
+  MetricField refinedMetric;
+  CHECK(
+    refineForMetric(mesh, nullptr, metric, unit, 1 << 20, RunControl(), refined, refinedMetric));
+  CHECK_NEAR(surfaceArea(refined.mesh), 1.0, 1e-12);
+  // 4160 pieces; 16 384 without flips.
+  CHECK(refined.mesh.numberOfFacets() < 5000);
+  for (std::size_t f = 0; f < refined.origins.size(); ++f)
+  {
+    const Triple& given = mesh.facetPoints[refined.origins[f].facet];
+    for (int k = 0; k < 3; ++k)
+    {
+      Point3 place = Point3::Zero();
+      for (int j = 0; j < 3; ++j)
+      {
+        place += static_cast<double>(refined.origins[f].corners[k][j]) * mesh.points[given[j]];
+      }
+      CHECK((place - refined.mesh.points[refined.mesh.facetPoints[f][k]]).norm() < 1e-14);
+    }
+    CHECK(facetArea(refined.mesh, static_cast<Index>(f)) > 0.0);
+  }
+}
+
 double sizeAlong(const MetricField& metric, std::size_t point, const Point3& way)
 {
   return 1.0 / std::sqrt(way.dot(metric.tensors[point] * way));
@@ -179,7 +212,7 @@ void testGrowth()
       return Eigen::Matrix3d::Identity() / (size * size);
     });
   const MetricField before = metric;
-  CHECK(limitGrowth(mesh, edges, { 1.5, 1.0 }, RunControl(), metric));
+  CHECK(limitGrowth(mesh, edges, { 1.5, 1.0, {} }, RunControl(), metric));
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
     CHECK(sizeAlong(metric, p, Point3::UnitX()) <= 1.0001 * sizeAlong(before, p, Point3::UnitX()));
@@ -197,6 +230,41 @@ void testGrowth()
       CHECK(large < small * std::pow(1.5, length) * 1.02);
     }
   }
+}
+
+/** Where a metric bends, sizes double over a unit, however much they may grow elsewhere. */
+void testGrowthInBends()
+{
+  const SurfaceMesh mesh = meshOf(gridPatch(60, 20));
+  const EdgeTable edges = buildEdgeTable(mesh.facetPoints);
+  const MetricField jump = fieldOf(mesh,
+    [](const Point3& p) -> Eigen::Matrix3d
+    {
+      const double size = p[0] < 0.1 ? 0.05 : 2.0;
+      return Eigen::Matrix3d::Identity() / (size * size);
+    });
+  GradationLimits limits;
+  const auto largestGrowth = [&](float bend)
+  {
+    limits.bends.assign(mesh.points.size(), bend);
+    MetricField metric = jump;
+    CHECK(limitGrowth(mesh, edges, limits, RunControl(), metric));
+    double growth = 1.0;
+    for (const Triple& points : mesh.facetPoints)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const double small = sizeAlong(metric, points[k], Point3::UnitX());
+        const double large = sizeAlong(metric, points[(k + 1) % 3], Point3::UnitX());
+        const Point3 edge = mesh.points[points[(k + 1) % 3]] - mesh.points[points[k]];
+        growth = std::max(growth, std::pow(large / small, small / edge.norm()));
+      }
+    }
+    return growth;
+  };
+  CHECK_NEAR(largestGrowth(1.0F), 5.0, 0.4);
+  CHECK_NEAR(largestGrowth(2.9F), 5.0, 0.4);
+  CHECK_NEAR(largestGrowth(300.0F), 2.0, 0.1);
 }
 
 void testNumber()
@@ -255,7 +323,9 @@ int TestMetricLimits(int, char*[])
   testTensors();
   testRefinement();
   testStraightEdges();
+  testThinPieces();
   testGrowth();
+  testGrowthInBends();
   testNumber();
   testSameBytes();
   testCancelled();

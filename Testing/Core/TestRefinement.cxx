@@ -117,7 +117,7 @@ void testPatterns()
     }
     closeMarks(edges, wanted);
     RefinedSurface refined = wholeSurface(mesh, nullptr);
-    splitEdges(edges, wanted, RunControl(), refined);
+    splitEdges(edges, wanted, nullptr, RunControl(), refined);
     Index added = 0;
     for (Index e = 0; e < edges.numberOfEdges(); ++e)
     {

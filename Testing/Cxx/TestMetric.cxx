@@ -2,23 +2,20 @@
 // across the surface, other filters, errors.
 
 #include "TestBytes.h"
+#include "TestUnitShare.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <set>
 
 using namespace remesh;
 using namespace remesh::test;
 
 namespace
 {
-using Tensor = std::function<Eigen::Matrix3d(const Point3&)>;
-
 /** A layer across the square, at an angle: 0.1 along it, from 0.01 on across it. */
 Eigen::Matrix3d layer(const Point3& p)
 {
@@ -72,33 +69,6 @@ vtkSmartPointer<vtkAnisotropicRemesher> remesherOf(
   filter->SetNumberOfPoints(points);
   filter->SetMetricArray(metric);
   return filter;
-}
-
-/** The share of edges whose length in the metric is within a factor of sqrt 2 of the mean. */
-double unitShare(vtkPolyData* mesh, const Tensor& tensor)
-{
-  std::set<std::pair<vtkIdType, vtkIdType>> edges;
-  forEachSide(mesh, [&](vtkIdType p, vtkIdType q) { edges.insert(std::minmax(p, q)); });
-  std::vector<double> logarithms;
-  double sum = 0.0;
-  for (const auto& [p, q] : edges)
-  {
-    const Point3 start = pointOf(mesh, p);
-    const Point3 edge = pointOf(mesh, q) - start;
-    double length = 0.0;
-    constexpr int steps = 8;
-    for (int k = 0; k < steps; ++k)
-    {
-      const Point3 middle = start + (k + 0.5) / steps * edge;
-      length += std::sqrt(edge.dot(tensor(middle) * edge)) / steps;
-    }
-    logarithms.push_back(std::log(length));
-    sum += logarithms.back();
-  }
-  const double mean = sum / static_cast<double>(edges.size());
-  const auto within = std::count_if(logarithms.begin(), logarithms.end(),
-    [&](double length) { return std::abs(length - mean) < 0.5 * std::log(2.0); });
-  return static_cast<double>(within) / static_cast<double>(edges.size());
 }
 
 double fact(vtkPolyData* mesh, const char* name)

@@ -7,6 +7,10 @@
  * intersected with that of the first one, grown (F. Alauzet, "Size gradation control of anisotropic
  * meshes", 2010). A direction that turns is limited by that, too: what is long at one point and
  * short at the other is short at both.
+ *
+ * Beside a layer that bends, sizes along it grow from what chords of the layer allow to what they
+ * were given, within few units: so fast that no mesh has the lengths of the metric as limited. So
+ * they grow less there (`GradationLimits::bends`).
  */
 #ifndef remesh_Gradation_h
 #define remesh_Gradation_h
@@ -24,6 +28,13 @@ struct GradationLimits
    */
   double growth = 5.0;
   double unit = 1.0; ///< length in the metric
+  /**
+   * V, at least 1, or empty: by how much straight edges already limit the metric. Where it bends
+   * like that, an edge has no length near what it was given, and sizes may grow over one unit by at
+   * most 2 + (growth - 2) / bend^2. Bends below 3 have no effect; others fade by a factor of 2 over
+   * each unit, so that growth does not jump.
+   */
+  std::vector<float> bends;
 };
 
 /**

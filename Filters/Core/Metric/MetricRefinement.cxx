@@ -11,11 +11,12 @@ namespace
 constexpr double longest = 0.5;      // of the unit
 constexpr double shortest = 0.125;   // of the unit, where the metric changes
 constexpr double maxVariation = 1.3; // between sizes at an edge's ends
+constexpr double goodEnough = 0.15;  // quality of pieces in the metric, 1 for equal sides
 
 /** The tensors at three corners of a facet, as logarithms in its plane. */
 using Logarithms = std::array<Tensor2, 3>;
 
-/** The metric of a surface, on parts of its facets. */
+/** The metric of a surface, on pieces of its facets. */
 class Interpolation
 {
 public:
@@ -23,6 +24,7 @@ public:
     : m_mesh(mesh)
     , m_metric(metric)
     , m_logarithms(mesh.facetPoints.size())
+    , m_sides(mesh.facetPoints.size())
   {
     for (std::size_t f = 0; f < m_logarithms.size(); ++f)
     {
@@ -31,6 +33,11 @@ public:
       {
         m_logarithms[f][k] = logarithm(own[k]);
       }
+      const TangentFrame frame = TangentFrame::of(mesh, f);
+      const Triple& points = mesh.facetPoints[f];
+      const Point3 first = mesh.points[points[1]] - mesh.points[points[0]];
+      const Point3 second = mesh.points[points[2]] - mesh.points[points[0]];
+      m_sides[f] = { first.norm(), second.dot(frame.x), second.dot(frame.y) };
     }
   }
 
@@ -43,6 +50,30 @@ public:
       sum = sum + m_logarithms[origin.facet][k] * static_cast<double>(origin.corners[corner][k]);
     }
     return sum;
+  }
+
+  /** (a² + b² + c²) / area of a piece in the metric, the mean of its corners'. */
+  double energy(const FacetOrigin& piece) const
+  {
+    Tensor2 sum{ 0.0, 0.0, 0.0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      sum = sum + exponential(this->at(piece, k));
+    }
+    const std::array<double, 3>& shape = m_sides[piece.facet]; // (u, 0) and (v, w)
+    double x[3];
+    double y[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto& from = piece.corners[k];
+      const auto& to = piece.corners[(k + 1) % 3];
+      const double second = static_cast<double>(to[1]) - static_cast<double>(from[1]);
+      const double third = static_cast<double>(to[2]) - static_cast<double>(from[2]);
+      x[k] = second * shape[0] + third * shape[1];
+      y[k] = third * shape[2];
+    }
+    const double area = 0.5 * (x[0] * y[1] - x[1] * y[0]) * std::sqrt(sum.determinant());
+    return (sum.squared(x[0], y[0]) + sum.squared(x[1], y[1]) + sum.squared(x[2], y[2])) / area;
   }
 
   /** Of all points of the refined surface. */
@@ -103,7 +134,8 @@ private:
 
   const SurfaceMesh& m_mesh;
   const MetricField& m_metric;
-  std::vector<Logarithms> m_logarithms; ///< F
+  std::vector<Logarithms> m_logarithms;       ///< F
+  std::vector<std::array<double, 3>> m_sides; ///< F
 };
 
 /** Which edges are too long in the metric. */
@@ -175,7 +207,12 @@ bool refineForMetric(const SurfaceMesh& mesh, const Features* features, const Me
   const Interpolation interpolation(mesh, metric);
   const Criterion criterion(mesh, interpolation, unit);
   refined = wholeSurface(mesh, features);
-  const bool any = refine(criterion, { maxFacets }, control, refined);
+  RefinementLimits limits{ maxFacets };
+  PieceShapes shapes;
+  shapes.energy = [&](const FacetOrigin& piece) { return interpolation.energy(piece); };
+  shapes.enough = 4.0 * std::sqrt(3.0) / goodEnough;
+  limits.shapes = &shapes;
+  const bool any = refine(criterion, limits, control, refined);
   if (any && !control.cancelled())
   {
     refinedMetric = interpolation.of(refined);

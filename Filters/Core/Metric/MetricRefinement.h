@@ -8,6 +8,8 @@
  *    a factor, down to an eighth of a unit.
  * 3. So are the longest sides of facets around them, in the metric, until all fits
  *    (Refinement.h): needles of the metric fall into pieces of good shape, that may be thin in R^3.
+ * 4. After each round, edges between needles within a facet are flipped in the metric
+ *    (PieceFlips.h). A thin layer across the facets' sides needs far fewer pieces then.
  */
 #ifndef remesh_MetricRefinement_h
 #define remesh_MetricRefinement_h

@@ -19,6 +19,23 @@ constexpr Offset facetsPerSite = 40; // half a unit is the longest edge
 constexpr double maxVariation = 4.0;
 constexpr double sameUnit = 0.03; // relative: limiting again would change nothing
 
+/**
+ * The largest factor, from 1, between sizes at two corners, where only what the mean of logarithms
+ * loses counts: a thin layer that turns a little is one in between, too, however thin.
+ */
+double variationOfLogarithms(const std::array<Tensor2, 3>& corners)
+{
+  double variation = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Tensor2 change = logarithm(corners[k]) + logarithm(corners[(k + 1) % 3]) * -1.0;
+    const double norm =
+      0.5 * std::abs(change.xx + change.yy) + std::hypot(0.5 * (change.xx - change.yy), change.xy);
+    variation = std::max(variation, std::exp(0.5 * norm));
+  }
+  return variation;
+}
+
 class Preparation
 {
 public:
@@ -58,12 +75,19 @@ private:
     return status;
   }
 
+  /** The share of the area where nothing tells what the metric is between given points. */
   double coarseShare(double area) const
   {
     double coarse = 0.0;
-    for (const TargetShape& shape : m_surface.shapes)
+    for (std::size_t f = 0; f < m_surface.shapes.size(); ++f)
     {
-      coarse += shape.variation > maxVariation ? shape.area() : 0.0;
+      // What is between the points is told by logarithms: they vary no more than sizes do.
+      const TargetShape& shape = m_surface.shapes[f];
+      if (shape.variation > maxVariation &&
+        variationOfLogarithms(tensorsOf(*m_mesh, *m_metric, f)) > maxVariation)
+      {
+        coarse += shape.area();
+      }
     }
     return area > 0.0 ? coarse / area : 0.0;
   }
@@ -101,8 +125,10 @@ private:
     {
       const bool isSecond = last > 0.0;
       last = m_surface.unit;
+      GradationLimits limits{ m_options.growth, last, {} };
       if (!limitToStraightEdges(*m_mesh, edges, *m_metric, last, control, m_surface.metric) ||
-        !limitGrowth(*m_mesh, edges, { m_options.growth, last }, control, m_surface.metric))
+        !this->findLimits(control, limits.bends) ||
+        !limitGrowth(*m_mesh, edges, limits, control, m_surface.metric))
       {
         return Status::cancelled();
       }
@@ -116,24 +142,45 @@ private:
         break;
       }
     }
-    this->measureLimits();
-    return Status::success();
+    return this->measureLimits(control);
   }
 
-  void measureLimits()
+  /** By how much a size at a point is smaller than given, at least 1. */
+  double limitAt(std::size_t point, const Tensor2& given, const TangentFrame& frame) const
   {
-    m_surface.limits.resize(m_mesh->points.size());
-    for (std::size_t p = 0; p < m_surface.limits.size(); ++p)
+    const Tensor2 limited = frame.within(m_surface.metric.tensors[point]);
+    return std::sqrt(std::max(1.0, relativeSizes(given, limited).max));
+  }
+
+  bool findLimits(const RunControl& control, std::vector<float>& limits) const
+  {
+    limits.resize(m_mesh->points.size());
+    return forEachItem(m_mesh->numberOfPoints(), control,
+      [&](Offset point)
+      {
+        const auto p = static_cast<std::size_t>(point);
+        const TangentFrame frame = TangentFrame::across(m_metric->normals[p]);
+        const Tensor2 given = frame.within(m_metric->tensors[p]);
+        limits[p] = static_cast<float>(this->limitAt(p, given, frame));
+      });
+  }
+
+  Status measureLimits(const RunControl& control)
+  {
+    const auto mix = [&](Offset point)
     {
+      const auto p = static_cast<std::size_t>(point);
       const TangentFrame frame = TangentFrame::across(m_metric->normals[p]);
       const Tensor2 given = frame.within(m_metric->tensors[p]);
       const Tensor2 limited = frame.within(m_surface.metric.tensors[p]);
-      const double limit = std::sqrt(std::max(1.0, relativeSizes(given, limited).max));
-      const double share = 1.0 / limit;
-      m_surface.limits[p] = static_cast<float>(limit);
+      const double share = 1.0 / this->limitAt(p, given, frame);
       m_surface.shapeMetric.tensors[p] = frame.tensorOf(
         exponential(logarithm(given) * share + logarithm(limited) * (1.0 - share)), 1.0);
-    }
+    };
+    return this->findLimits(control, m_surface.limits) &&
+        forEachItem(m_mesh->numberOfPoints(), control, mix)
+      ? Status::success()
+      : Status::cancelled();
   }
 
   const SurfaceMesh* m_mesh;

@@ -91,12 +91,16 @@ public:
   }
 
   /** The features get the kinds of the edges alone. */
-  void run(const RunControl& control)
+  void run(const PieceShapes* shapes, const RunControl& control)
   {
     const SurfaceMesh& before = m_surface.mesh;
     for (Index f = 0; f < before.numberOfFacets(); ++f)
     {
       this->split(f);
+    }
+    if (shapes && !flipPieces(*shapes, control, { m_facets, m_origins, m_kinds }))
+    {
+      return;
     }
     SurfaceMesh mesh;
     mesh.points = std::move(m_points);
@@ -252,10 +256,10 @@ void closeMarks(const EdgeTable& edges, EdgesToSplit& wanted)
   }
 }
 
-void splitEdges(const EdgeTable& edges, const EdgesToSplit& wanted, const RunControl& control,
-  RefinedSurface& surface)
+void splitEdges(const EdgeTable& edges, const EdgesToSplit& wanted, const PieceShapes* shapes,
+  const RunControl& control, RefinedSurface& surface)
 {
-  Splitter(edges, wanted, surface).run(control);
+  Splitter(edges, wanted, surface).run(shapes, control);
   if (surface.features && !control.cancelled())
   {
     cutAlongFeatures(surface.mesh, *surface.features);

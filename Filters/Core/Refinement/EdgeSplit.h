@@ -5,7 +5,7 @@
 #ifndef remesh_EdgeSplit_h
 #define remesh_EdgeSplit_h
 
-#include "Refinement/RefinedSurface.h"
+#include "Refinement/PieceFlips.h"
 #include "Support/RunControl.h"
 
 namespace remesh
@@ -19,9 +19,8 @@ struct EdgesToSplit
   /** Whether an edge is longer than another one; there are no equal ones. */
   bool isLonger(Index edge, Index other) const
   {
-    return this->lengths[edge] != this->lengths[other]
-      ? this->lengths[edge] > this->lengths[other]
-      : edge < other;
+    return this->lengths[edge] != this->lengths[other] ? this->lengths[edge] > this->lengths[other]
+                                                       : edge < other;
   }
 };
 
@@ -36,16 +35,16 @@ int longestSide(const Triple& facetEdges, const EdgesToSplit& wanted);
 void closeMarks(const EdgeTable& edges, EdgesToSplit& wanted);
 
 /**
- * Splits all marked edges; the marks must be closed. A facet with one becomes two, with two three, with three four of its
- * shape; the first cut is at the middle of its longest side. All others stay, and so does the order
- * of facets; points are numbered as the facets meet them.
+ * Splits all marked edges; the marks must be closed. A facet with one becomes two, with two three,
+ * with three four of its shape; the first cut is at the middle of its longest side. All others
+ * stay, and so does the order of facets; points are numbered as the facets meet them.
  *
  * @param edges of the surface's points; where there are features, theirs.
  * @param control asked for cancellation: then the surface is of no use.
  * Cost: O(F). Deterministic.
  */
-void splitEdges(const EdgeTable& edges, const EdgesToSplit& wanted, const RunControl& control,
-  RefinedSurface& surface);
+void splitEdges(const EdgeTable& edges, const EdgesToSplit& wanted, const PieceShapes* shapes,
+  const RunControl& control, RefinedSurface& surface);
 }
 
 #endif

@@ -113,7 +113,7 @@ bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
     {
       break;
     }
-    splitEdges(edges, wanted, control, surface);
+    splitEdges(edges, wanted, limits.shapes, control, surface);
     any = true;
   }
   if (any)

@@ -21,8 +21,9 @@ using SplitCriterion =
 
 struct RefinementLimits
 {
-  Offset maxFacets = 0;      ///< that the surface may come to have
-  int maxRounds = maxSplits; ///< each halves the edges that are too long
+  Offset maxFacets = 0;                ///< that the surface may come to have
+  int maxRounds = maxSplits;           ///< each halves the edges that are too long
+  const PieceShapes* shapes = nullptr; ///< if any: pieces are flipped for it after each round
 };
 
 /**
