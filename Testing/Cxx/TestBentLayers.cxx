@@ -2,7 +2,7 @@
 // surfaces whose rows follow them. Edges have the lengths of the metric as limited; and a grid
 // whose points are far apart for the layer is told.
 
-#include "TestUnitShare.h"
+#include "TestMetrics.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkMetricEmbedding.h"
@@ -79,12 +79,6 @@ vtkSmartPointer<vtkPolyData> ring(int angles, int radii)
     p = { radius * std::cos(angle), radius * std::sin(angle), 0.0 };
   }
   return polyDataOf(soup);
-}
-
-void addMetric(vtkPolyData* input, const Tensor& tensor)
-{
-  addPointArray<vtkDoubleArray>(input, "Metric", 9,
-    [&](const Point3& p, int component) { return tensor(p)(component / 3, component % 3); });
 }
 
 Eigen::Matrix3d withEigenvalues(const Eigen::Matrix3d& matrix, double (*f)(double))

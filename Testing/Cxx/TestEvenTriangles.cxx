@@ -1,20 +1,17 @@
 // Placement/EvenTriangles: with a metric, the fit slides points until triangles are even in it, on
 // a plane and on a tube; not with a density, and the same bytes on any threads.
 
-#include "TestBytes.h"
+#include "TestMetrics.h"
 
 #include "vtkAnisotropicRemesher.h"
 
 #include <cmath>
-#include <functional>
 
 using namespace remesh;
 using namespace remesh::test;
 
 namespace
 {
-using Tensor = std::function<Eigen::Matrix3d(const Point3&)>;
-
 /** Stretched 4 : 1 along a direction of the plane that turns. */
 Eigen::Matrix3d swirl(const Point3& p)
 {
@@ -30,18 +27,6 @@ Eigen::Matrix3d winding(const Point3& p)
   const Point3 around(-outward[1], outward[0], 0.0);
   const Point3 a = std::cos(2.0 * p[2]) * around + std::sin(2.0 * p[2]) * Point3(0.0, 0.0, 1.0);
   return Eigen::Matrix3d::Identity() + 15.0 * a * a.transpose();
-}
-
-/** A tube of radius 1 and height 2, open. */
-vtkSmartPointer<vtkPolyData> tube()
-{
-  TriangleSoup soup = gridPatch(80, 30);
-  for (Point3& p : soup.points)
-  {
-    const double angle = 2.0 * pi * (p[0] == 1.0 ? 0.0 : p[0]);
-    p = { std::cos(angle), std::sin(angle), 2.0 * p[1] };
-  }
-  return polyDataOf(soup);
 }
 
 /** 4 sqrt 3 times the area over the sum of the squared edges, with the tensor at the centre: mean.
@@ -81,8 +66,7 @@ vtkSmartPointer<vtkPolyData> remeshed(
 void testQuality(vtkPolyData* input, const Tensor& tensor)
 {
   using Filter = vtkAnisotropicRemesher;
-  addPointArray<vtkDoubleArray>(input, "Metric", 9,
-    [&](const Point3& p, int component) { return tensor(p)(component / 3, component % 3); });
+  addMetric(input, tensor);
   const auto fitted = remeshed(input, Filter::FIT, 1);
   const double before = meanQuality(remeshed(input, Filter::SURFACE_POINT, 1), tensor);
   const double after = meanQuality(fitted, tensor);
@@ -98,8 +82,7 @@ void testQuality(vtkPolyData* input, const Tensor& tensor)
 void testDensity()
 {
   const auto input = polyDataOf(gridPatch(40, 40));
-  addPointArray<vtkDoubleArray>(input, "Metric", 9,
-    [](const Point3& p, int component) { return swirl(p)(component / 3, component % 3); });
+  addMetric(input, swirl);
   addPointArray<vtkDoubleArray>(
     input, "Density", 1, [](const Point3& p, int) { return 1.0 + 9.0 * p[0]; });
   using Filter = vtkAnisotropicRemesher;
@@ -117,7 +100,7 @@ void testDensity()
 int TestEvenTriangles(int, char*[])
 {
   testQuality(polyDataOf(gridPatch(60, 60)), swirl);
-  testQuality(tube(), winding);
+  testQuality(tube(80, 30), winding);
   testDensity();
   return test::result();
 }

@@ -1,8 +1,7 @@
 // SetMetricArray: edges with the lengths of the metric, sizes, orders of the components, what is
 // across the surface, other filters, errors.
 
-#include "TestBytes.h"
-#include "TestUnitShare.h"
+#include "TestMetrics.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkGaussMapEmbedding.h"
@@ -42,25 +41,6 @@ Eigen::Matrix3d winding(const Point3& p)
   return 9.0 * a * a.transpose() + b * b.transpose();
 }
 
-/** A tube of radius 1 and height 2, open. */
-vtkSmartPointer<vtkPolyData> tube()
-{
-  TriangleSoup soup = gridPatch(120, 40);
-  for (Point3& p : soup.points)
-  {
-    const double angle = 2.0 * pi * (p[0] == 1.0 ? 0.0 : p[0]);
-    p = { std::cos(angle), std::sin(angle), 2.0 * p[1] };
-  }
-  return polyDataOf(soup);
-}
-
-/** Adds the tensors as 9 components. */
-void addMetric(vtkPolyData* input, const Tensor& tensor, const char* name = "Metric")
-{
-  addPointArray<vtkDoubleArray>(input, name, 9,
-    [&](const Point3& p, int component) { return tensor(p)(component / 3, component % 3); });
-}
-
 vtkSmartPointer<vtkAnisotropicRemesher> remesherOf(
   vtkPolyData* input, vtkIdType points, const char* metric = "Metric")
 {
@@ -86,7 +66,7 @@ void testLengths()
     double least;
   };
   for (const Case& shape :
-    { Case{ polyDataOf(gridPatch(80, 80)), layer, 0.99 }, Case{ tube(), winding, 0.97 } })
+    { Case{ polyDataOf(gridPatch(80, 80)), layer, 0.99 }, Case{ tube(120, 40), winding, 0.97 } })
   {
     addMetric(shape.input, shape.tensor);
     const auto filter = remesherOf(shape.input, 1200);

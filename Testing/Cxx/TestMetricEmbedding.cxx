@@ -1,7 +1,7 @@
 // vtkMetricEmbedding: the remesher's own embedding, lengths, carried arrays and seams, borders,
 // components, a Moebius strip, blocks, warnings, errors, threads.
 
-#include "TestBytes.h"
+#include "TestMetrics.h"
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkIntArray.h"
@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -20,8 +19,6 @@ using namespace remesh::test;
 
 namespace
 {
-using Tensor = std::function<Eigen::Matrix3d(const Point3&)>;
-
 /** A layer across the square: 0.2 along it, from 0.01 on across it. */
 Eigen::Matrix3d layer(const Point3& p)
 {
@@ -33,12 +30,6 @@ Eigen::Matrix3d layer(const Point3& p)
 Eigen::Matrix3d gentle(const Point3& p)
 {
   return Point3(1.0 + 3.0 * p[0], 4.0 - 3.0 * p[0], 1.0).asDiagonal();
-}
-
-void addMetric(vtkPolyData* input, const Tensor& tensor)
-{
-  addPointArray<vtkDoubleArray>(input, "Metric", 9,
-    [&](const Point3& p, int component) { return tensor(p)(component / 3, component % 3); });
 }
 
 vtkSmartPointer<vtkPolyData> square(int n, const Tensor& tensor)

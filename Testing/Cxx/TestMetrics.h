@@ -1,11 +1,11 @@
 /**
- * @file TestUnitShare.h
- * @brief How many edges of a mesh have the length that a metric wants.
+ * @file TestMetrics.h
+ * @brief Surfaces with a metric, and how many edges of a mesh have the length that it wants.
  */
-#ifndef TestUnitShare_h
-#define TestUnitShare_h
+#ifndef TestMetrics_h
+#define TestMetrics_h
 
-#include "TestHelpers.h"
+#include "TestBytes.h"
 
 #include <Eigen/Core>
 
@@ -18,7 +18,27 @@
 
 namespace remesh::test
 {
+/** The tensor at a place. */
 using Tensor = std::function<Eigen::Matrix3d(const Point3&)>;
+
+/** Adds the tensors as 9 components. */
+inline void addMetric(vtkPolyData* input, const Tensor& tensor, const char* name = "Metric")
+{
+  addPointArray<vtkDoubleArray>(input, name, 9,
+    [&](const Point3& p, int component) { return tensor(p)(component / 3, component % 3); });
+}
+
+/** A tube of radius 1 and height 2, open, of so many quadrilaterals around and along. */
+inline vtkSmartPointer<vtkPolyData> tube(int around, int along)
+{
+  TriangleSoup soup = gridPatch(around, along);
+  for (Point3& p : soup.points)
+  {
+    const double angle = 2.0 * pi * (p[0] == 1.0 ? 0.0 : p[0]);
+    p = { std::cos(angle), std::sin(angle), 2.0 * p[1] };
+  }
+  return polyDataOf(soup);
+}
 
 /** The share of edges whose length in the metric is within a factor of sqrt 2 of the mean. */
 inline double unitShare(vtkPolyData* mesh, const Tensor& tensor)
