@@ -40,6 +40,7 @@ void closeMarks(const EdgeTable& edges, EdgesToSplit& wanted);
  * stay, and so does the order of facets; points are numbered as the facets meet them.
  *
  * @param edges of the surface's points; where there are features, theirs.
+ * @param shapes if given, edges between the pieces of a facet are flipped by these.
  * @param control asked for cancellation: then the surface is of no use.
  * Cost: O(F). Deterministic.
  */
