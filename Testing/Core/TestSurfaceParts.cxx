@@ -137,6 +137,18 @@ void testSlices()
     CHECK(!cutter.cutAcross(0, part, 4, pieces));
   }
   std::vector<SurfacePart> pieces;
+  for (const double width : { 0.02, 60.0, 120.0 })
+  {
+    for (const Offset most : { 16, 50, 1000, 4000 })
+    {
+      const SurfacePart part{ { Point3(0.0, 0.0, 0.0), Point3(5e4, 0.0, 0.0),
+        Point3(1500.0, 100.0 * width, 0.0) } };
+      pieces.clear();
+      CHECK(cutter.cutAcross(0, part, most, pieces));
+      CHECK(static_cast<Offset>(pieces.size()) <= most);
+    }
+  }
+  pieces.clear();
   const SurfacePart round{ { Point3(0.0, 0.0, 0.0), Point3(50.0, 0.0, 0.0),
     Point3(20.0, 30.0, 0.0) } };
   const SurfacePart small{ { Point3(0.0, 0.0, 0.0), Point3(5.0, 0.0, 0.0),

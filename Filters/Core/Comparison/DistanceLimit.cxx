@@ -12,9 +12,9 @@ namespace remesh
 namespace
 {
 constexpr double farShare = 0.95; // of the limit
-constexpr std::size_t maxParts = 1000000;
+constexpr Offset maxParts = 1000000;
 constexpr Offset maxSlices = 4000; // of one triangle
-constexpr std::size_t partsBetweenQuestions = 4096;
+constexpr Offset partsBetweenQuestions = 4096;
 
 /** Examines one triangle after the other; one per thread. */
 class Examiner
@@ -32,7 +32,7 @@ public:
   bool isFar(const std::array<Point3, 3>& corners, FarPlace& far)
   {
     m_open.assign(1, { corners, m_lastSlot });
-    std::size_t examined = 0;
+    Offset examined = 0;
     while (!m_open.empty())
     {
       m_next.clear();
@@ -72,8 +72,9 @@ private:
       return;
     }
     const double distance = this->note(part, far);
+    const Offset room = maxParts - std::min(maxParts, static_cast<Offset>(m_next.size()));
     if (distance + part.reach() > m_limit && !this->isWithin(part.corners, m_lastSlot) &&
-      !m_cutter.cutAcross(m_lastSlot, part, maxSlices, m_next))
+      !m_cutter.cutAcross(m_lastSlot, part, std::min(maxSlices, room), m_next))
     {
       m_cutter.cut(m_lastSlot, part, m_next);
     }

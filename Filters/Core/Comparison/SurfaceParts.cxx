@@ -188,9 +188,9 @@ bool PartCutter::cutAcross(
     return false;
   }
   const Point3 foot = a + std::clamp(along.dot(c - a) / squared, 0.0, 1.0) * along;
-  // A slice is two pieces but for that at a tip, and there are two tips; sides are a little longer
-  // than what they are above.
-  const double height = std::max(size, 2.2 * std::sqrt(squared) / (maxPieces - 2));
+  // A slice is two pieces but for that at a tip, and there are two tips; both sides are less than
+  // 5/4 of the longest edge.
+  const double height = std::max(size, 2.6 * std::sqrt(squared) / (maxPieces - 2));
   slice({ a, foot, c }, height, slot, parts);
   slice({ b, c, foot }, height, slot, parts);
   return true;
