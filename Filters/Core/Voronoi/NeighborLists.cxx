@@ -207,12 +207,8 @@ std::vector<Index> NeighborLists::othersToList(bool known) const
 
 Index NeighborLists::numberOfLists() const
 {
-  Index number = 0;
-  for (Index site = 0; site < m_sites->count(); ++site)
-  {
-    number += this->isListed(site) ? 1 : 0;
-  }
-  return number;
+  return static_cast<Index>(std::count_if(m_places.begin(), m_places.end(),
+    [](const Place& place) { return place.count.load() != unlisted; }));
 }
 
 double NeighborLists::radiusAround(double reach, Index count) const

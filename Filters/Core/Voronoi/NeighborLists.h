@@ -66,7 +66,7 @@ public:
 
   /**
    * From now on `build` makes lists, beside the sample's, only for the sites that were asked for
-   * since it did so last; at first for none. For who looks at a part of the sites.
+   * before; at first for none. For who looks at a part of the sites.
    */
   void makeOnlyAsked() { m_onlyAsked = true; }
 
