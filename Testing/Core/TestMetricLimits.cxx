@@ -1,6 +1,7 @@
 // Metric/: tensors, refinement for a metric, limits by straight edges and by growth, the number of
 // points that a metric asks for, the same bytes on any threads.
 
+#include "Features/FeatureGraph.h"
 #include "Mesh/EdgeTable.h"
 #include "Mesh/FacetGeometry.h"
 #include "Metric/Gradation.h"
@@ -123,10 +124,19 @@ void testThinPieces()
     [&](const Point3&) -> Eigen::Matrix3d
     { return Eigen::Matrix3d::Identity() + 90000.0 * across * across.transpose(); });
   constexpr double unit = 10.0; // half of it: 5 along, which no facet has, and 1 / 60 across
+  SurfaceMesh whole = mesh;
+  FeatureOptions featureOptions;
+  featureOptions.spacing = 0.2;
+  const Features features = findFeatures(whole, featureOptions); // its border
   RefinedSurface refined;
+  RefinedSurface again;
   MetricField refinedMetric;
+  RunControl control;
+  control.schedule = Schedule::EightThreads;
   CHECK(
-    refineForMetric(mesh, nullptr, metric, unit, 1 << 20, RunControl(), refined, refinedMetric));
+    refineForMetric(mesh, &features, metric, unit, 1 << 20, RunControl(), refined, refinedMetric));
+  CHECK(refineForMetric(mesh, &features, metric, unit, 1 << 20, control, again, refinedMetric));
+  CHECK(again.mesh.facetPoints == refined.mesh.facetPoints);
   CHECK_NEAR(surfaceArea(refined.mesh), 1.0, 1e-12);
   // 4160 pieces; 16 384 without flips.
   CHECK(refined.mesh.numberOfFacets() < 5000);
@@ -143,6 +153,15 @@ void testThinPieces()
       CHECK((place - refined.mesh.points[refined.mesh.facetPoints[f][k]]).norm() < 1e-14);
     }
     CHECK(facetArea(refined.mesh, static_cast<Index>(f)) > 0.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point3 middle = 0.5 *
+        (refined.mesh.points[refined.mesh.facetPoints[f][k]] +
+          refined.mesh.points[refined.mesh.facetPoints[f][(k + 1) % 3]]);
+      const bool isAtBorder = std::abs(middle[0] - 0.5) == 0.5 || std::abs(middle[1] - 0.5) == 0.5;
+      const bool isFeature = refined.features->kind(static_cast<Index>(f), k) != FeatureKind::None;
+      CHECK_EQUAL(isFeature, isAtBorder);
+    }
   }
 }
 

@@ -29,8 +29,8 @@ struct GradationLimits
   double growth = 5.0;
   double unit = 1.0; ///< length in the metric
   /**
-   * V, at least 1, or empty: by how much straight edges already limit the metric. Where it bends
-   * like that, an edge has no length near what it was given, and sizes may grow over one unit by at
+   * V, at least 1, or empty: by how much straight edges already limit the metric. Where they
+   * do, edges are much shorter than they were asked to be, and sizes may grow over one unit by at
    * most 2 + (growth - 2) / bend^2. Bends below 3 have no effect; others fade by a factor of 2 over
    * each unit, so that growth does not jump.
    */

@@ -61,18 +61,22 @@ public:
       sum = sum + exponential(this->at(piece, k));
     }
     const std::array<double, 3>& shape = m_sides[piece.facet]; // (u, 0) and (v, w)
+    double second[3];
+    double third[3];
     double x[3];
     double y[3];
     for (int k = 0; k < 3; ++k)
     {
       const auto& from = piece.corners[k];
       const auto& to = piece.corners[(k + 1) % 3];
-      const double second = static_cast<double>(to[1]) - static_cast<double>(from[1]);
-      const double third = static_cast<double>(to[2]) - static_cast<double>(from[2]);
-      x[k] = second * shape[0] + third * shape[1];
-      y[k] = third * shape[2];
+      second[k] = static_cast<double>(to[1]) - static_cast<double>(from[1]);
+      third[k] = static_cast<double>(to[2]) - static_cast<double>(from[2]);
+      x[k] = second[k] * shape[0] + third[k] * shape[1];
+      y[k] = third[k] * shape[2];
     }
-    const double area = 0.5 * (x[0] * y[1] - x[1] * y[0]) * std::sqrt(sum.determinant());
+    // Of what is exact: never 0 where the piece has an area.
+    const double area = 0.5 * shape[0] * shape[2] * (second[0] * third[1] - second[1] * third[0]) *
+      std::sqrt(sum.determinant());
     return (sum.squared(x[0], y[0]) + sum.squared(x[1], y[1]) + sum.squared(x[2], y[2])) / area;
   }
 

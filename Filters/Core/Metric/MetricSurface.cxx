@@ -20,8 +20,8 @@ constexpr double maxVariation = 4.0;
 constexpr double sameUnit = 0.03; // relative: limiting again would change nothing
 
 /**
- * The largest factor, from 1, between sizes at two corners, where only what the mean of logarithms
- * loses counts: a thin layer that turns a little is one in between, too, however thin.
+ * The largest factor, from 1, between sizes at two corners, by the change of the logarithm, whose
+ * mean is taken between them: a thin layer that turns a little is one there, too, however thin.
  */
 double variationOfLogarithms(const std::array<Tensor2, 3>& corners)
 {

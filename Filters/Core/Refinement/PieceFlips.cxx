@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  /** A side of a piece: 3 (piece - begin) + k. */
+  /** Finds what is across each side. That of a piece after corner k: 3 (piece - begin) + k. */
   void join(Index end)
   {
     m_sides.clear();
