@@ -39,8 +39,8 @@
  *   warning says so.
  * - The field array `TopologyPreserved` is 1 only where the topology of the surface is proven to be
  *   kept.
- * - Triangles that face the wrong way are counted in the field data of `Surface`
- *   (`NumberOfFlippedTriangles`, `NumberOfStrayTriangles`), and a warning tells of them.
+ * - Triangles that face the wrong way or go through each other are counted in the field data of
+ *   `Surface` (`NumberOfFlippedTriangles` and the two after it), and a warning tells of them.
  * - Same input, parameters and seed give the same output: see vtkRestrictedVoronoiAlgorithm.
  *
  * @par Limits:

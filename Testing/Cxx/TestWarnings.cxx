@@ -130,7 +130,7 @@ void testNumbersOfWrongTriangles()
     { "1 triangle faces the surface the wrong way", "3 triangles are closer to another part" }));
   CHECK(beginWith(warningsWith(0, 0, 1), { "1 pair of triangles go through each other" }));
   CHECK(beginWith(warningsWith(0, 0, 50), { "50 pairs of triangles go through each other" }));
-  CHECK(beginWith(warningsWith(0, 0, 61), { "At least 61 pairs of triangles" }));
+  CHECK(beginWith(warningsWith(0, 0, 51), { "At least 51 pairs of triangles" }));
   CHECK(beginWith(warningsWith(0, 2, 50), { "2 triangles are closer to another part" }));
 }
 

@@ -83,7 +83,6 @@ struct ToleranceRun
     for (Offset next = number; next > 0;)
     {
       const Offset at = number = next;
-      control = control.part(0.0, 1.0);
       if (Status status = this->pilot(control.part(0.0, 0.5), number); !status.ok())
       {
         return status;
