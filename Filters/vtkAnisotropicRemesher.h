@@ -5,10 +5,10 @@
  * Makes new triangles for a surface: with as many points as are asked for, long along flat
  * directions and small where the surface bends, and with edges along its creases and borders.
  *
- * The surface is embedded in R^d (see vtkEmbeddedSurfaceAlgorithm), sampled with
- * `NumberOfPoints` sites, and the sites are moved by Lloyd's iterations and then by a quasi-Newton
- * method (L-BFGS) towards a centroidal Voronoi tessellation restricted to it ([Levy12],
- * Algorithms 2 to 4 and section 4.2). The dual of the restricted Voronoi diagram is the new mesh:
+ * The surface is embedded in R^d (see vtkEmbeddedSurfaceAlgorithm), and sampled with
+ * `NumberOfPoints` sites. Lloyd's iterations, and then a quasi-Newton method (L-BFGS), move these
+ * towards a centroidal Voronoi tessellation restricted to it ([Levy12], Algorithms 2 to 4 and
+ * section 4.2). The dual of the restricted Voronoi diagram is the new mesh:
  * its triangles are isotropic in R^d, and so anisotropic in R^3.
  *
  * Features of the surface are kept unless `PreserveFeatures` is off: see there.

@@ -5,7 +5,6 @@
 #include "TestMetrics.h"
 
 #include "vtkAnisotropicRemesher.h"
-#include "vtkMetricEmbedding.h"
 
 #include <vtkGenericCell.h>
 #include <vtkStaticCellLocator.h>
@@ -134,15 +133,6 @@ private:
   vtkNew<vtkGenericCell> m_cell;
   std::vector<Eigen::Matrix3d> m_logarithms;
 };
-
-vtkSmartPointer<vtkMetricEmbedding> embeddingOf(vtkPolyData* input, vtkIdType points)
-{
-  auto filter = vtkSmartPointer<vtkMetricEmbedding>::New();
-  filter->SetInputData(input);
-  filter->SetMetricArray("Metric");
-  filter->SetNumberOfPoints(points);
-  return filter;
-}
 
 double fact(vtkPolyData* data, const char* name)
 {

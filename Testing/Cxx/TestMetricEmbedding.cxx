@@ -5,7 +5,6 @@
 
 #include "vtkAnisotropicRemesher.h"
 #include "vtkIntArray.h"
-#include "vtkMetricEmbedding.h"
 #include "vtkMultiBlockDataSet.h"
 
 #include <array>
@@ -37,15 +36,6 @@ vtkSmartPointer<vtkPolyData> square(int n, const Tensor& tensor)
   auto input = polyDataOf(gridPatch(n, n));
   addMetric(input, tensor);
   return input;
-}
-
-vtkSmartPointer<vtkMetricEmbedding> embeddingOf(vtkDataObject* input, vtkIdType points)
-{
-  auto filter = vtkSmartPointer<vtkMetricEmbedding>::New();
-  filter->SetInputDataObject(input);
-  filter->SetMetricArray("Metric");
-  filter->SetNumberOfPoints(points);
-  return filter;
 }
 
 double fact(vtkPolyData* mesh, const char* name)

@@ -7,6 +7,8 @@
 
 #include "TestBytes.h"
 
+#include "vtkMetricEmbedding.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -38,6 +40,15 @@ inline vtkSmartPointer<vtkPolyData> tube(int around, int along)
     p = { std::cos(angle), std::sin(angle), 2.0 * p[1] };
   }
   return polyDataOf(soup);
+}
+
+inline vtkSmartPointer<vtkMetricEmbedding> embeddingOf(vtkDataObject* input, vtkIdType points)
+{
+  auto filter = vtkSmartPointer<vtkMetricEmbedding>::New();
+  filter->SetInputDataObject(input);
+  filter->SetMetricArray("Metric");
+  filter->SetNumberOfPoints(points);
+  return filter;
 }
 
 /** The share of edges whose length in the metric is within a factor of sqrt 2 of the mean. */
