@@ -24,7 +24,6 @@ namespace
 // Extents in spacings.
 constexpr double minLoop = 1.0;
 constexpr double minCrease = 2.5;
-constexpr double minStraight = 1.5;
 constexpr double minStrongCrease = 1.5;
 constexpr double minFine = 5.0; // of edges much shorter than the spacing
 constexpr double minWiggle = 12.0;
@@ -36,7 +35,6 @@ constexpr double turnedBack = 2.35;     // radians
 constexpr double minCover = 2.0;        // times its area, of what a facet turned back lies on
 constexpr double largestMeanTurn = 0.5; // radians
 constexpr double largestSmoothTurn = 0.35;
-constexpr double largestStraightTurn = 0.2;
 constexpr double maxPerEdge = 0.15; // branches and ends beyond two
 constexpr double maxPerSpacing = 0.3;
 // Of noise so strong that its edges hang together everywhere: real creases turn by half as much.
@@ -86,16 +84,7 @@ bool isNoise(const Cluster& cluster, double spacing)
   {
     return false;
   }
-  if (strong)
-  {
-    return extent < (loop ? minLoop : minStrongCrease);
-  }
-  const bool straight = !fine && cluster.irregular <= 2 && meanTurn < largestSmoothTurn;
-  const bool smooth = cluster.irregular <= 2 && meanTurn < largestStraightTurn;
-  const double least = loop ? minLoop
-    : straight              ? minStraight
-    : fine && !smooth       ? minFine
-                            : minCrease;
+  const double least = loop ? minLoop : strong ? minStrongCrease : fine ? minFine : minCrease;
   return extent < least;
 }
 
