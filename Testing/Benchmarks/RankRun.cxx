@@ -30,17 +30,18 @@ struct RankCost
 {
   double processor = 0.0;
   double megabytes = 0.0; ///< peak
-  double sent = 0.0;      ///< bytes
+  double sent = 0.0;      ///< bytes: of the first to all, of others to it
 };
 
-/** Processes that are joined to the first by sockets. */
+/** Processes that are joined by sockets. */
 class SocketRanks : public Ranks
 {
 public:
-  /** @param sockets to each rank; of others than the first, that to it alone. */
+  /** @param sockets to each rank; -1 to itself. */
   SocketRanks(int own, std::vector<int> sockets)
     : m_own(own)
     , m_sockets(std::move(sockets))
+    , m_sent(m_sockets.size(), 0.0)
   {
   }
 
@@ -52,7 +53,7 @@ public:
     const std::size_t size = packet.bytes().size();
     this->move(rank, ::write, &size, sizeof(size));
     this->move(rank, ::write, packet.bytes().data(), size);
-    m_sent += static_cast<double>(sizeof(size) + size);
+    m_sent[static_cast<std::size_t>(rank)] += static_cast<double>(sizeof(size) + size);
   }
 
   Packet receive(int rank) override
@@ -64,7 +65,9 @@ public:
     return Packet(std::move(bytes));
   }
 
-  double sent() const { return m_sent; }
+  /** Bytes so far. */
+  double sentTo(int rank) const { return m_sent[static_cast<std::size_t>(rank)]; }
+  double sentToAll() const { return std::accumulate(m_sent.begin(), m_sent.end(), 0.0); }
 
 private:
   /** Reads or writes all of it. */
@@ -86,7 +89,7 @@ private:
 
   int m_own;
   std::vector<int> m_sockets;
-  double m_sent = 0.0;
+  std::vector<double> m_sent;
 };
 
 /** Works until it is dismissed, and tells what that took. Returns an exit status. */
@@ -97,7 +100,7 @@ int beOther(SocketRanks& ranks, const Settings& settings)
     RankCost cost;
     inScope(settings, [&]() { cost.processor = timed([&]() { workForFirst(ranks); }).processor; });
     cost.megabytes = peakMegabytes();
-    cost.sent = ranks.sent();
+    cost.sent = ranks.sentTo(Ranks::first);
     Packet packet;
     packet.add(cost);
     ranks.send(Ranks::first, packet);
@@ -109,17 +112,49 @@ int beOther(SocketRanks& ranks, const Settings& settings)
   }
 }
 
+/** A socket from each rank to each other one; -1 to itself. */
+std::vector<std::vector<int>> joinAll(int ranks)
+{
+  const auto count = static_cast<std::size_t>(ranks);
+  std::vector<std::vector<int>> sockets(count, std::vector<int>(count, -1));
+  for (std::size_t rank = 0; rank < count; ++rank)
+  {
+    for (std::size_t other = 0; other < rank; ++other)
+    {
+      int ends[2];
+      if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
+      {
+        throw std::runtime_error("cannot make a socket");
+      }
+      sockets[rank][other] = ends[0];
+      sockets[other][rank] = ends[1];
+    }
+  }
+  return sockets;
+}
+
+/** One's own sockets; closes the others, so that a process that ends is missed. */
+SocketRanks keepOwn(int own, const std::vector<std::vector<int>>& sockets)
+{
+  for (std::size_t rank = 0; rank < sockets.size(); ++rank)
+  {
+    for (const int socket : sockets[rank])
+    {
+      if (static_cast<int>(rank) != own && socket >= 0)
+      {
+        close(socket);
+      }
+    }
+  }
+  return SocketRanks(own, sockets[static_cast<std::size_t>(own)]);
+}
+
 /** Starts the other processes. */
 SocketRanks startOthers(const RankRun& run, const Settings& settings)
 {
-  std::vector<int> sockets = { -1 };
+  const std::vector<std::vector<int>> sockets = joinAll(run.ranks);
   for (int rank = 1; rank < run.ranks; ++rank)
   {
-    int ends[2];
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
-    {
-      throw std::runtime_error("cannot make a socket");
-    }
     const pid_t child = fork();
     if (child < 0)
     {
@@ -127,16 +162,11 @@ SocketRanks startOthers(const RankRun& run, const Settings& settings)
     }
     if (child == 0)
     {
-      close(ends[0]);
-      std::vector<int> own(static_cast<std::size_t>(run.ranks), -1);
-      own[Ranks::first] = ends[1];
-      SocketRanks ranks(rank, own);
+      SocketRanks ranks = keepOwn(rank, sockets);
       _exit(beOther(ranks, settings));
     }
-    close(ends[1]);
-    sockets.push_back(ends[0]);
   }
-  return SocketRanks(Ranks::first, sockets);
+  return keepOwn(Ranks::first, sockets);
 }
 
 /** A number that tells one sequence of bytes from another (FNV-1a). */
@@ -210,8 +240,8 @@ Figures figuresOf(const RankReport& report)
     figures.push_back({ "other" + ranks, largestOfOthers(report, &RankCost::processor), "s" });
     figures.push_back(
       { "memory_other" + ranks, largestOfOthers(report, &RankCost::megabytes), "MB" });
-    figures.push_back({ "sent" + ranks,
-      1e-6 * report.costs[0].sent / (report.evaluations - 1.0) / (count - 1.0), "MB" });
+    figures.push_back(
+      { "sent" + ranks, 1e-6 * report.costs[0].sent / (report.evaluations - 1.0), "MB" });
     figures.push_back({ "back" + ranks, share * back, "MB" });
   }
   return figures;
@@ -268,10 +298,10 @@ void runOnRanks(const RankRun& run, const Settings& settings)
     [&]()
     {
       orThrow(optimization.voronoi.integrate(optimization.sites, RunControl(), optimization.sums));
-      sent -= ranks.sent(); // the surface, once
+      sent -= ranks.sentToAll(); // the surface, once
       elapsed = timed(
         [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
-      sent += ranks.sent();
+      sent += ranks.sentToAll();
     });
   dismissOthers(ranks);
   std::printf("%llu %d %.9g\n%.9g %.9g %.9g\n",

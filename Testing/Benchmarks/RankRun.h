@@ -13,7 +13,7 @@ namespace remesh::benchmark
  * The same optimisation on r = 1, 2 and 4 processes, of a bumpy torus from stratified sites. Throws
  * std::runtime_error unless all give the same bytes. For each r: `wall_r`; the processor seconds of
  * the first (`first_r`) and of the busiest of the others (`other_r`), in which no waiting is; peak
- * memory (`memory_r`, `memory_other_r`); and what the first sends to each other for an evaluation
+ * memory (`memory_r`, `memory_other_r`); and what the first sends for an evaluation
  * (`sent_r`), and all others to it (`back_r`). Others do nothing but what they share in.
  *
  * @param scaled gets the speed-ups over one process: `processor_r` by the processor seconds of the

@@ -80,14 +80,15 @@ def check_measurement(case, one):
 
 
 def check_ranks(points, figures, where):
-    """What is sent for an evaluation: to each other the sites, and back the sums of blocks."""
+    """What is sent for an evaluation: the sites, handed on, and back the sums of blocks."""
     def value(name):
         return figures[name]["value"]
     for ranks in (1, 2, 4):
         check(value(f"wall_{ranks}") > 0.0 and value(f"first_{ranks}") > 0.0, *where, ranks)
     for ranks in (2, 4):
         check(value(f"other_{ranks}") > 0.0, *where, ranks)
-        check(1e-6 * 48 * points <= value(f"sent_{ranks}") <= 1e-6 * (48 * points + 100), *where,
+        times = ranks // 2  # ranks that hear it from the first
+        check(48 * points <= 1e6 * value(f"sent_{ranks}") / times <= 48 * points + 100, *where,
               value(f"sent_{ranks}"))
         check(value(f"back_{ranks}") > 0.5e-6 * 68 * points / ranks, *where)
         check(1.0 < value(f"memory_other_{ranks}") < value("memory_1"), *where, ranks)

@@ -3,108 +3,19 @@
 #include "Embedding/SurfacePart.h"
 #include "Optimization/Lloyd.h"
 #include "Optimization/QuasiNewton.h"
+#include "Support/RankTree.h"
 #include "TestEmbeddings.h"
+#include "TestRankThreads.h"
 #include "TestSupport.h"
-#include "Voronoi/RankWork.h"
 
-#include <condition_variable>
-#include <functional>
-#include <map>
-#include <mutex>
+#include <cmath>
 #include <new>
-#include <queue>
-#include <thread>
 
 using namespace remesh;
 using namespace remesh::test;
 
 namespace
 {
-/** What some ranks, which are threads here, send each other. */
-class Post
-{
-public:
-  explicit Post(int count)
-    : m_count(count)
-  {
-  }
-
-  int count() const { return m_count; }
-
-  void send(int from, int to, const Packet& packet)
-  {
-    const std::lock_guard<std::mutex> guard(m_lock);
-    m_boxes[{ from, to }].push(packet);
-    m_bytes[from] += packet.bytes().size();
-    m_arrived.notify_all();
-  }
-
-  Packet receive(int from, int to)
-  {
-    std::unique_lock<std::mutex> guard(m_lock);
-    std::queue<Packet>& box = m_boxes[{ from, to }];
-    m_arrived.wait(guard, [&] { return !box.empty(); });
-    Packet packet = box.front();
-    box.pop();
-    return packet;
-  }
-
-  std::size_t bytesFrom(int rank) { return m_bytes[rank]; }
-  bool isEmpty() const
-  {
-    return std::all_of(
-      m_boxes.begin(), m_boxes.end(), [](const auto& box) { return box.second.empty(); });
-  }
-
-private:
-  int m_count;
-  std::mutex m_lock;
-  std::condition_variable m_arrived;
-  std::map<std::pair<int, int>, std::queue<Packet>> m_boxes;
-  std::map<int, std::size_t> m_bytes;
-};
-
-class ThreadRanks : public Ranks
-{
-public:
-  ThreadRanks(Post& post, int own)
-    : m_post(post)
-    , m_own(own)
-  {
-  }
-  int count() const override { return m_post.count(); }
-  int own() const override { return m_own; }
-  void send(int rank, const Packet& packet) override { m_post.send(m_own, rank, packet); }
-  Packet receive(int rank) override { return m_post.receive(rank, m_own); }
-
-private:
-  Post& m_post;
-  int m_own;
-};
-
-/** Runs `work` on the first rank while the others work for it. */
-void runOnRanks(Post& post, const std::function<void(Ranks&)>& work,
-  const std::function<void(Ranks&)>& others = workForFirst)
-{
-  std::vector<std::thread> threads;
-  for (int rank = 1; rank < post.count(); ++rank)
-  {
-    threads.emplace_back(
-      [&post, &others, rank]
-      {
-        ThreadRanks ranks(post, rank);
-        others(ranks);
-      });
-  }
-  ThreadRanks first(post, 0);
-  work(first);
-  dismissOthers(first);
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
-}
-
 struct Optimized
 {
   Sites sites;
@@ -154,13 +65,40 @@ void testSameBits(const EmbeddedSurface& surface, Index numberOfSites)
   }
 }
 
-/** For each evaluation: the sites to each rank, and the sums of its blocks back. */
-void testBytes(const EmbeddedSurface& surface)
+int ceilLog2(int number)
 {
-  const Sites sites = sampled(surface, 400, 3);
+  return static_cast<int>(std::ceil(std::log2(number)));
+}
+
+/** All hear once, from a rank that has heard before, after ceil(log2 p) sendings at most. */
+void testTree()
+{
+  for (int count = 1; count < 70; ++count)
+  {
+    std::vector<int> sendings(static_cast<std::size_t>(count), -1); // until a rank has heard
+    sendings[0] = 0;
+    for (int rank = 0; rank < count; ++rank)
+    {
+      int after = sendings[rank];
+      CHECK(after >= 0);
+      for (const int hearer : hearersOf(rank, count))
+      {
+        CHECK(hearer > rank && hearer < count && sendings[hearer] == -1);
+        sendings[hearer] = ++after;
+      }
+    }
+    CHECK_EQUAL(static_cast<int>(hearersOf(0, count).size()), ceilLog2(count));
+    CHECK_EQUAL(*std::max_element(sendings.begin(), sendings.end()), ceilLog2(count));
+  }
+}
+
+/** What each rank sends for an evaluation. */
+std::vector<std::size_t> sentForOne(
+  const EmbeddedSurface& surface, const Sites& sites, const int count)
+{
   const auto sent = [&](int evaluations)
   {
-    Post post(2);
+    Post post(count);
     runOnRanks(post,
       [&](Ranks& ranks)
       {
@@ -172,12 +110,32 @@ void testBytes(const EmbeddedSurface& surface)
           CHECK(voronoi.integrate(sites, RunControl(), sums).ok());
         }
       });
-    return std::make_pair(post.bytesFrom(0), post.bytesFrom(1));
+    std::vector<std::size_t> bytes;
+    for (int rank = 0; rank < count; ++rank)
+    {
+      bytes.push_back(post.bytesFrom(rank));
+    }
+    return bytes;
   };
-  const auto once = sent(1);
-  const auto twice = sent(2);
+  std::vector<std::size_t> sums = sent(2);
+  const std::vector<std::size_t> once = sent(1);
+  std::transform(sums.begin(), sums.end(), once.begin(), sums.begin(), std::minus<>());
+  return sums;
+}
+
+/** For each evaluation: the sites to all, handed on, and the sums of blocks back. */
+void testBytes(const EmbeddedSurface& surface)
+{
+  const Sites sites = sampled(surface, 400, 3);
+  const std::size_t size = sites.coordinates.size() * sizeof(double);
   constexpr std::size_t head = 64;
-  CHECK(twice.first - once.first <= sites.coordinates.size() * sizeof(double) + head);
+  for (const int count : { 2, 3, 4, 5, 8, 9 })
+  {
+    const std::size_t first = sentForOne(surface, sites, count)[0];
+    const auto times = static_cast<std::size_t>(ceilLog2(count));
+    CHECK(first >= times * size);
+    CHECK(first <= times * (size + head));
+  }
   // A block meets the sites of its own facets alone.
   RestrictedVoronoi voronoi(surface);
   std::vector<BlockSums> blocks;
@@ -188,7 +146,7 @@ void testBytes(const EmbeddedSurface& surface)
     entries += blocks[k].sites.size();
   }
   const std::size_t entry = sizeof(Index) + 8 * sizeof(double); // of six dimensions
-  CHECK(twice.second - once.second <= entries * entry + (blocks.size() + 2) * head);
+  CHECK(sentForOne(surface, sites, 2)[1] <= entries * entry + (blocks.size() + 2) * head);
 }
 
 void testFailure(const EmbeddedSurface& surface)
@@ -198,12 +156,16 @@ void testFailure(const EmbeddedSurface& surface)
   {
     for (;;)
     {
-      Packet packet = ranks.receive(Ranks::first);
+      Packet packet = hear(ranks);
       RankOrder order = RankOrder::Leave;
       packet.take(order);
       if (order == RankOrder::Leave)
       {
         return;
+      }
+      if (order == RankOrder::TakeSurface)
+      {
+        ranks.receive(Ranks::first);
       }
       Packet answer;
       answer.add(order == RankOrder::Integrate ? StatusCode::OutOfMemory : StatusCode::Ok);
@@ -237,36 +199,39 @@ void testFailure(const EmbeddedSurface& surface)
     });
 }
 
-/** Ranks that have no room for what comes with an order: the `failing`-th, from 0. */
-class NarrowRanks : public ThreadRanks
+/** Ranks that fail by an exception when they have received so many packets. */
+template <class Failure>
+class FailingRanks : public ThreadRanks
 {
 public:
-  NarrowRanks(Post& post, int own, int failing)
+  FailingRanks(Post& post, int own, int after, const Failure& failure)
     : ThreadRanks(post, own)
-    , m_failing(failing)
+    , m_after(after)
+    , m_failure(failure)
   {
   }
   Packet receive(int rank) override
   {
     Packet packet = ThreadRanks::receive(rank);
-    if (m_failing-- == 0)
+    if (m_after-- == 0)
     {
-      throw std::bad_alloc();
+      throw m_failure;
     }
     return packet;
   }
 
 private:
-  int m_failing;
+  int m_after;
+  Failure m_failure;
 };
 
-/** Without memory for a part, or for sites, the first is told, and no one waits. */
+/** Without memory for a part, or for sites to hand on, the first is told, and no one waits. */
 void testNoRoom(const EmbeddedSurface& surface)
 {
   const Sites start = sampled(surface, 100, 3);
-  for (const int failing : { 0, 1, 3 })
+  for (const int failing : { 1, 2, 4 }) // after the order to take a part
   {
-    Post post(3);
+    Post post(4);
     runOnRanks(
       post,
       [&](Ranks& ranks)
@@ -277,10 +242,41 @@ void testNoRoom(const EmbeddedSurface& surface)
       },
       [&](Ranks& ranks)
       {
-        NarrowRanks narrow(post, ranks.own(), ranks.own() == 2 ? failing : -1);
+        // There is no room for one packet.
+        FailingRanks narrow(post, ranks.own(), ranks.own() == 2 ? failing : -1, std::bad_alloc());
         workForFirst(narrow);
       });
     CHECK(post.isEmpty());
+  }
+}
+
+/** Where a rank is lost that hands on, the run ends on all others, too. */
+void testLost(const EmbeddedSurface& surface)
+{
+  const Sites start = sampled(surface, 100, 3);
+  const auto runWith = [&](const std::function<void(Ranks&, Post&)>& lost)
+  {
+    Post post(4);
+    runOnRanks(
+      post,
+      [&](Ranks& ranks)
+      {
+        const Status status = optimize(surface, start, &ranks).status;
+        CHECK(status.code == StatusCode::InvalidInput);
+        CHECK_EQUAL(status.message.substr(0, 9), "Process 2");
+      },
+      [&](Ranks& ranks) { ranks.own() == 2 ? lost(ranks, post) : workForFirst(ranks); });
+  };
+  runWith([](Ranks&, Post&) {});
+  for (const int heard : { 0, 1, 2, 4 })
+  {
+    runWith(
+      [&](Ranks& ranks, Post& post)
+      {
+        const std::runtime_error broken("The line is broken.");
+        FailingRanks failing(post, ranks.own(), heard, broken);
+        workForFirst(failing);
+      });
   }
 }
 
@@ -360,9 +356,11 @@ int TestRanks(int, char*[])
   testSameBits(surface, 300);
   testSameBits(embedded(meshOf(icosphere(2)), manyDimensions), 40);
   testSameBits(embedded(meshOf(gridPatch(1, 1)), 3), 4); // fewer facets than ranks
+  testTree();
   testBytes(surface);
   testFailure(surface);
   testNoRoom(surface);
+  testLost(surface);
   testCancelled(surface);
   testDivision(surface);
   const EmbeddedSurface fine = embedded(meshOf(icosphere(5)), 6);

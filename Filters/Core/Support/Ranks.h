@@ -27,6 +27,15 @@ public:
   {
   }
 
+  /** A packet with one value. */
+  template <class T>
+  static Packet of(const T& value)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "what has pointers cannot be sent");
+    const auto* bytes = reinterpret_cast<const char*>(&value);
+    return Packet(std::vector<char>(bytes, bytes + sizeof(T)));
+  }
+
   template <class T>
   void add(const T& value)
   {

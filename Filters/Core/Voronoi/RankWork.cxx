@@ -1,11 +1,13 @@
 #include "Voronoi/RankWork.h"
 
 #include "Embedding/SurfacePart.h"
+#include "Support/RankTree.h"
 #include "Voronoi/RestrictedVoronoi.h"
 
 #include <exception>
 #include <memory>
 #include <new>
+#include <stdexcept>
 
 namespace remesh
 {
@@ -82,65 +84,98 @@ void addBlocks(const std::vector<BlockSums>& blocks, Packet& packet)
     packet.add(block.values);
   }
 }
+
+class Worker
+{
+public:
+  explicit Worker(Ranks& ranks)
+    : m_ranks(ranks)
+  {
+  }
+
+  /** False: there is no other. */
+  bool followNext()
+  {
+    Packet packet;
+    Status status = tryTo(
+      [&]
+      {
+        packet = hear(m_ranks);
+        return Status::success();
+      });
+    // Without a word from others there is none to come. What there was no room for was an order.
+    bool stays = status.code != StatusCode::InvalidInput;
+    begin(status, m_answer);
+    if (status.ok())
+    {
+      status = tryTo([&] { return this->follow(packet, stays); });
+      if (!status.ok())
+      {
+        begin(status, m_answer);
+      }
+      else if (!stays)
+      {
+        return false;
+      }
+    }
+    m_ranks.send(Ranks::first, m_answer);
+    return stays;
+  }
+
+private:
+  /** Adds to the answer. */
+  Status follow(Packet& packet, bool& stays)
+  {
+    RankOrder order = RankOrder::Leave;
+    packet.take(order);
+    stays = order != RankOrder::Leave;
+    if (order == RankOrder::TakeSurface)
+    {
+      m_part.reset(); // before there is another
+      Packet part = m_ranks.receive(Ranks::first);
+      m_part = std::make_unique<PartIntegration>(part);
+    }
+    return order == RankOrder::Integrate ? this->integrate(packet) : Status::success();
+  }
+
+  Status integrate(Packet& sites)
+  {
+    if (!m_part)
+    {
+      return Status::invalid("There is no surface.");
+    }
+    Status status = m_part->integrate(sites, m_blocks);
+    if (status.ok())
+    {
+      addBlocks(m_blocks, m_answer);
+    }
+    return status;
+  }
+
+  Ranks& m_ranks;
+  std::unique_ptr<PartIntegration> m_part;
+  std::vector<BlockSums> m_blocks; // this and the next are kept for their memory
+  Packet m_answer;
+};
 }
 
 void workForFirst(Ranks& ranks)
 {
-  std::unique_ptr<PartIntegration> part;
-  std::vector<BlockSums> blocks;
-  Packet answer; // both are kept for their memory
-  for (;;)
+  Worker worker(ranks);
+  try
   {
-    bool leaves = false;
-    bool answered = false;
-    const auto follow = [&]
+    while (worker.followNext())
     {
-      Packet packet = ranks.receive(Ranks::first);
-      RankOrder order = RankOrder::Leave;
-      packet.take(order);
-      leaves = order == RankOrder::Leave;
-      if (order == RankOrder::TakeSurface)
-      {
-        part.reset(); // before there is another
-        part = std::make_unique<PartIntegration>(packet);
-      }
-      if (order != RankOrder::Integrate)
-      {
-        return Status::success();
-      }
-      if (!part)
-      {
-        return Status::invalid("There is no surface.");
-      }
-      if (Status status = part->integrate(packet, blocks); !status.ok())
-      {
-        return status;
-      }
-      begin(Status::success(), answer);
-      addBlocks(blocks, answer);
-      answered = true;
-      return Status::success();
-    };
-    const Status status = tryTo(follow);
-    if (leaves)
-    {
-      return;
     }
-    if (!answered)
-    {
-      begin(status, answer);
-    }
-    ranks.send(Ranks::first, answer);
+  }
+  catch (const std::runtime_error&)
+  {
+    return; // the first is lost: there is none to tell
   }
 }
 
 void dismissOthers(Ranks& ranks)
 {
-  Packet packet;
-  packet.add(RankOrder::Leave);
-  for (int rank = 1; rank < ranks.count(); ++rank)
-  {
-    ranks.send(rank, packet);
-  }
+  handOn(ranks, Packet::of(RankOrder::Leave));
 }
 }

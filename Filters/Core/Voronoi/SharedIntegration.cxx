@@ -1,6 +1,7 @@
 #include "Voronoi/SharedIntegration.h"
 
 #include "Embedding/SurfacePart.h"
+#include "Support/RankTree.h"
 #include "Voronoi/RankWork.h"
 
 #include <algorithm>
@@ -76,12 +77,12 @@ SharedIntegration::SharedIntegration(
       m_ownCorners = std::max(m_ownCorners, corner + 1);
     }
   }
+  handOn(ranks, Packet::of(RankOrder::TakeSurface));
   for (int rank = 1; rank < ranks.count(); ++rank)
   {
     const Offset begin = std::min(blocks.size, blocks.begin(first[rank]));
     const Offset end = std::min(blocks.size, blocks.begin(first[rank + 1]));
     Packet packet;
-    packet.add(RankOrder::TakeSurface);
     packet.add(blocks.length);
     packet.add(shareOf(begin, end));
     addSurface(partOf(surface, begin, end), packet);
@@ -91,16 +92,16 @@ SharedIntegration::SharedIntegration(
 
 SharedIntegration::~SharedIntegration()
 {
-  try
+  for (; m_next < m_ranks.count(); ++m_next)
   {
-    for (; m_next < m_ranks.count(); ++m_next)
+    try
     {
       m_ranks.receive(m_next);
     }
-  }
-  catch (const std::exception&)
-  {
-    return; // whoever hears from them next finds it out
+    catch (const std::exception&)
+    {
+      continue; // whoever hears from it next finds it out
+    }
   }
 }
 
@@ -121,11 +122,8 @@ void SharedIntegration::begin(const Sites& sites)
   m_order.add(sites.dimension);
   m_order.add(sites.fixed);
   m_order.add(sites.coordinates);
-  for (int rank = 1; rank < m_ranks.count(); ++rank)
-  {
-    m_ranks.send(rank, m_order);
-  }
-  m_next = 1;
+  m_next = 1; // even where one cannot be reached, others answer
+  handOn(m_ranks, m_order);
 }
 
 Status SharedIntegration::end(int dimension, const RunControl& control, CellSums* sums)

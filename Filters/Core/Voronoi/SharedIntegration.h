@@ -8,8 +8,9 @@
  * Neighbour lists are made by each rank for itself, from the same sites, as its facets ask for
  * them.
  *
- * Sent for an evaluation: to each rank n d doubles; back from it, for each block and each site that
- * the block meets, d + 2 doubles and an index.
+ * Sent for an evaluation: to each rank n d doubles, handed on from rank to rank (RankTree.h), so
+ * that the first of p ranks sends them ceil(log2 p) times; back from each, for each block and each
+ * site that the block meets, d + 2 doubles and an index.
  */
 #ifndef remesh_SharedIntegration_h
 #define remesh_SharedIntegration_h

@@ -1,0 +1,63 @@
+#include "Support/RankTree.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace remesh
+{
+namespace
+{
+/** The rank that a rank, not the first, hears from. */
+int tellerOf(int rank)
+{
+  return rank & (rank - 1);
+}
+}
+
+std::vector<int> hearersOf(int rank, int count)
+{
+  std::vector<int> hearers;
+  for (int bit = 1; rank + bit < count && (rank & bit) == 0; bit *= 2)
+  {
+    hearers.push_back(rank + bit);
+  }
+  std::reverse(hearers.begin(), hearers.end());
+  return hearers;
+}
+
+void handOn(Ranks& ranks, const Packet& packet)
+{
+  std::optional<std::runtime_error> lost;
+  for (const int rank : hearersOf(ranks.own(), ranks.count()))
+  {
+    try
+    {
+      ranks.send(rank, packet);
+    }
+    catch (const std::runtime_error& error)
+    {
+      lost = error;
+    }
+  }
+  if (lost)
+  {
+    throw *lost;
+  }
+}
+
+Packet hear(Ranks& ranks)
+{
+  Packet packet;
+  try
+  {
+    packet = ranks.receive(tellerOf(ranks.own()));
+  }
+  catch (const std::exception&)
+  {
+    handOn(ranks, Packet());
+    throw;
+  }
+  handOn(ranks, packet);
+  return packet;
+}
+}

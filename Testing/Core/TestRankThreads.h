@@ -1,0 +1,133 @@
+/**
+ * @file TestRankThreads.h
+ * @brief Ranks that are threads.
+ */
+#ifndef remesh_TestRankThreads_h
+#define remesh_TestRankThreads_h
+
+#include "Support/Ranks.h"
+#include "Voronoi/RankWork.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <queue>
+#include <set>
+#include <thread>
+
+namespace remesh::test
+{
+/** What some ranks send each other. */
+class Post
+{
+public:
+  explicit Post(int count)
+    : m_count(count)
+  {
+  }
+
+  int count() const { return m_count; }
+
+  void send(int from, int to, const Packet& packet)
+  {
+    const std::lock_guard<std::mutex> guard(m_lock);
+    if (m_gone.count(to) != 0)
+    {
+      throw std::runtime_error("Process " + std::to_string(to) + " cannot be reached.");
+    }
+    m_boxes[{ from, to }].push(packet);
+    m_bytes[from] += packet.bytes().size();
+    m_arrived.notify_all();
+  }
+
+  Packet receive(int from, int to)
+  {
+    std::unique_lock<std::mutex> guard(m_lock);
+    std::queue<Packet>& box = m_boxes[{ from, to }];
+    m_arrived.wait(guard, [&] { return !box.empty() || m_gone.count(from) != 0; });
+    if (box.empty())
+    {
+      throw std::runtime_error("Process " + std::to_string(from) + " does not answer.");
+    }
+    Packet packet = box.front();
+    box.pop();
+    return packet;
+  }
+
+  /** From now on a rank neither sends nor receives. */
+  void close(int rank)
+  {
+    const std::lock_guard<std::mutex> guard(m_lock);
+    m_gone.insert(rank);
+    m_arrived.notify_all();
+  }
+
+  std::size_t bytesFrom(int rank) { return m_bytes[rank]; }
+  bool isEmpty() const
+  {
+    return std::all_of(
+      m_boxes.begin(), m_boxes.end(), [](const auto& box) { return box.second.empty(); });
+  }
+
+private:
+  int m_count;
+  std::mutex m_lock;
+  std::condition_variable m_arrived;
+  std::map<std::pair<int, int>, std::queue<Packet>> m_boxes;
+  std::map<int, std::size_t> m_bytes;
+  std::set<int> m_gone;
+};
+
+class ThreadRanks : public Ranks
+{
+public:
+  ThreadRanks(Post& post, int own)
+    : m_post(post)
+    , m_own(own)
+  {
+  }
+  int count() const override { return m_post.count(); }
+  int own() const override { return m_own; }
+  void send(int rank, const Packet& packet) override { m_post.send(m_own, rank, packet); }
+  Packet receive(int rank) override { return m_post.receive(rank, m_own); }
+
+private:
+  Post& m_post;
+  int m_own;
+};
+
+/** Runs `work` on the first rank while the others work for it. */
+inline void runOnRanks(Post& post, const std::function<void(Ranks&)>& work,
+  const std::function<void(Ranks&)>& others = workForFirst)
+{
+  std::vector<std::thread> threads;
+  for (int rank = 1; rank < post.count(); ++rank)
+  {
+    threads.emplace_back(
+      [&post, &others, rank]
+      {
+        ThreadRanks ranks(post, rank);
+        others(ranks);
+        post.close(rank);
+      });
+  }
+  ThreadRanks first(post, 0);
+  work(first);
+  try
+  {
+    dismissOthers(first);
+  }
+  catch (const std::runtime_error&)
+  {
+    post.close(0); // a rank is gone: no other may wait for it
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
+}
+
+#endif
