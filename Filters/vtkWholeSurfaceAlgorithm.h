@@ -38,8 +38,9 @@
  * the first process, which does the work on all threads that it has. So the first process takes the
  * memory of the whole surface and the whole work, and one copy of the largest piece. The others
  * wait, but for the iterations of an optimisation: these are divided among all processes, each of
- * which holds its part of the embedded surface, and all sites, as long as they last. The surface is
- * that of one process:
+ * which holds its part of the embedded surface, and all sites, as long as they last. And where the
+ * distance of mesh and surface is measured after a number of points was asked for, the others
+ * measure one way of the two. The surface is that of one process:
  * - ghost cells count once, and points that pieces share are one;
  * - a surface that could come in pieces (any source of the pipeline can give some), or has several
  *   blocks, is put in an order of its own, on one process as on many: the same bytes for any number

@@ -3,7 +3,7 @@
 #include "Adaptors/ProcessRanks.h"
 #include "Adaptors/SurfaceBlocks.h"
 #include "Adaptors/SurfacePieces.h"
-#include "Voronoi/RankWork.h"
+#include "Run/RankWork.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTypes.h"

@@ -2,9 +2,9 @@
 
 #include "Measure.h"
 #include "Optimization/Sampling.h"
+#include "Run/RankWork.h"
 #include "RunParts.h"
 #include "Surfaces.h"
-#include "Voronoi/RankWork.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -5,10 +5,11 @@
 #ifndef remesh_TestRankThreads_h
 #define remesh_TestRankThreads_h
 
+#include "Run/RankWork.h"
 #include "Support/Ranks.h"
-#include "Voronoi/RankWork.h"
 
 #include <algorithm>
+#include <cmath>
 #include <condition_variable>
 #include <functional>
 #include <map>
@@ -97,6 +98,38 @@ private:
   Post& m_post;
   int m_own;
 };
+
+/** Ranks that fail by an exception when they have received so many packets. */
+template <class Failure>
+class FailingRanks : public ThreadRanks
+{
+public:
+  FailingRanks(Post& post, int own, int after, const Failure& failure)
+    : ThreadRanks(post, own)
+    , m_after(after)
+    , m_failure(failure)
+  {
+  }
+  Packet receive(int rank) override
+  {
+    Packet packet = ThreadRanks::receive(rank);
+    if (m_after-- == 0)
+    {
+      throw m_failure;
+    }
+    return packet;
+  }
+
+private:
+  int m_after;
+  Failure m_failure;
+};
+
+/** How often the first of so many ranks sends what it tells all. */
+inline int ceilLog2(int number)
+{
+  return static_cast<int>(std::ceil(std::log2(number)));
+}
 
 /** Runs `work` on the first rank while the others work for it. */
 inline void runOnRanks(Post& post, const std::function<void(Ranks&)>& work,

@@ -5,6 +5,7 @@
 #ifndef remesh_SurfaceDistance_h
 #define remesh_SurfaceDistance_h
 
+#include "Comparison/DistanceSums.h"
 #include "Mesh/TriangleTree.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
@@ -74,7 +75,14 @@ struct TwoSidedDistance
 Status measureOneSidedDistance(const Triangles& from, const TriangleTree& to,
   const DistanceOptions& options, const RunControl& control, OneSidedDistance& distance);
 
-/** The same both ways; builds the trees. */
+/** Steps 1 and 2 alone: no bound, it is infinite. */
+Status measureSamples(const SampledTriangles& from, const TriangleTree& to,
+  const RunControl& control, OneSidedDistance& distance);
+
+/** The same of the sums of all blocks, in their order. */
+OneSidedDistance distanceOf(const std::vector<DistanceSums>& blocks);
+
+/** Steps 1 to 3 both ways; builds the trees. */
 Status measureTwoSidedDistance(const Triangles& first, const Triangles& second,
   const DistanceOptions& options, const RunControl& control, TwoSidedDistance& distance);
 }

@@ -25,9 +25,10 @@ Status makeMesh(RunRequest request, const RunControl& control, RunOutcome& outco
   request.preparation.numberOfSites =
     request.sites ? request.sites->places.count : options.numberOfSites;
   const bool measuresDistance = request.measuresDistance;
+  Ranks* const ranks = options.ranks;
   Status status = remeshWithNumber(std::move(request), control, outcome);
   return status.ok() && measuresDistance
-    ? findDistance(outcome.prepared.inputMesh(), control.silent(), outcome.result)
+    ? findDistance(outcome.prepared.inputMesh(), ranks, control.silent(), outcome.result)
     : status;
 }
 }

@@ -1,8 +1,11 @@
 #include "Run/MeshDistance.h"
 
+#include "Comparison/SharedDistance.h"
 #include "Run/Task.h"
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 
 namespace remesh
 {
@@ -24,6 +27,69 @@ std::vector<Triple> examinedOf(const std::vector<Triple>& triangles)
   }
   return some;
 }
+
+Offset samplesFor(std::size_t triangles)
+{
+  const auto count = static_cast<Offset>(triangles);
+  return minSamples + std::min(samplesOfTriangle * count, std::max(manySamples, count));
+}
+
+/** Triangles, and those of them that are sampled. */
+class Side
+{
+public:
+  explicit Side(const Triangles& whole)
+    : m_whole(whole)
+    , m_some(examinedOf(whole.triangles))
+    , m_sampled(sampledTriangles({ whole.points, m_some }, samplesFor(m_some.size())))
+  {
+  }
+
+  Side(const Side&) = delete;
+  Side& operator=(const Side&) = delete;
+
+  const Triangles& whole() const { return m_whole; }
+  const SampledTriangles& sampled() const { return m_sampled; }
+
+private:
+  Triangles m_whole;
+  std::vector<Triple> m_some;
+  SampledTriangles m_sampled;
+};
+
+/** One tree at a time: they are large. */
+Status measure(
+  const Side& from, const Side& to, const RunControl& control, OneSidedDistance& distance)
+{
+  return measureSamples(from.sampled(), TriangleTree(to.whole(), control), control, distance);
+}
+
+/** The others measure how far the surface is while this rank measures how far the mesh is. */
+Status measureBoth(const Side& made, const Side& surface, Ranks* ranks, const RunControl& control,
+  TwoSidedDistance& distance)
+{
+  const bool shares = ranks && ranks->count() > 1;
+  try
+  {
+    std::optional<OtherRanks> others;
+    if (shares)
+    {
+      others.emplace(*ranks);
+      tellToMeasure(*others, surface.sampled(), made.whole());
+    }
+    Status status = measure(made, surface, control, distance.forward);
+    if (!status.ok())
+    {
+      return status;
+    }
+    return shares ? takeMeasured(*others, distance.backward)
+                  : measure(surface, made, control, distance.backward);
+  }
+  catch (const std::runtime_error& error)
+  {
+    return Status::invalid(error.what());
+  }
+}
 }
 
 Triangles trianglesOf(const SurfaceMesh& mesh)
@@ -36,29 +102,23 @@ Triangles trianglesOf(const RemeshResult& result)
   return { result.placement.positions, result.dual.triangles };
 }
 
-Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result)
+Status findDistance(
+  const SurfaceMesh& mesh, Ranks* ranks, const RunControl& control, RemeshResult& result)
 {
   Stopwatch watch;
-  DistanceOptions options;
-  options.boundTolerance = -1.0;
-  // One tree at a time: they are large.
-  const auto measure = [&](const Triangles& from, const Triangles& to, OneSidedDistance& distance)
+  const Side made(trianglesOf(result));
+  const Side surface(trianglesOf(mesh));
+  Status status;
+  if (made.sampled().hasArea() && surface.sampled().hasArea())
   {
-    const std::vector<Triple> some = examinedOf(from.triangles);
-    const auto count = static_cast<Offset>(some.size());
-    options.numberOfSamples =
-      minSamples + std::min(samplesOfTriangle * count, std::max(manySamples, count));
-    const TriangleTree tree(to, control);
-    return !tree.empty() &&
-      measureOneSidedDistance({ from.points, some }, tree, options, control, distance).ok();
-  };
-  TwoSidedDistance distance;
-  if (measure(trianglesOf(result), trianglesOf(mesh), distance.forward) &&
-    measure(trianglesOf(mesh), trianglesOf(result), distance.backward))
-  {
-    result.distance = distance;
+    TwoSidedDistance distance;
+    status = measureBoth(made, surface, ranks, control, distance);
+    if (status.ok())
+    {
+      result.distance = distance;
+    }
   }
   result.seconds.distance = watch.lap();
-  return control.cancelled() ? Status::cancelled() : Status::success();
+  return control.cancelled() ? Status::cancelled() : status;
 }
 }

@@ -8,6 +8,7 @@
 #include "Comparison/SurfaceDistance.h"
 #include "Mesh/TriangleTree.h"
 #include "Run/RemeshResult.h"
+#include "Support/Ranks.h"
 
 namespace remesh
 {
@@ -22,10 +23,14 @@ Triangles trianglesOf(const RemeshResult& result);
  * mesh and surface each. No bound is proven: `maximum` is the largest distance that was found. If
  * the mesh or the surface has no area, the distance stays unset.
  *
- * @return Cancelled, or success.
+ * @param ranks share the work if there are several: the first measures how far the mesh is from the
+ *        surface, the others how far the surface is from the mesh (SharedDistance.h). nullptr:
+ * none.
+ * @return Cancelled, success, or what fails on another rank.
  * Cost: O(F + T) for two trees of 32 bytes a triangle, of which one is held at a time.
  */
-Status findDistance(const SurfaceMesh& mesh, const RunControl& control, RemeshResult& result);
+Status findDistance(
+  const SurfaceMesh& mesh, Ranks* ranks, const RunControl& control, RemeshResult& result);
 }
 
 #endif

@@ -47,7 +47,7 @@ struct RemeshOptions
   bool curvesFollowBends = true;
   /** False: the diagram is freed once the vertices are placed, as it takes much memory. */
   bool keepDiagram = true;
-  /** The processes that share the optimisation's integrals; nullptr: this process has them all. */
+  /** The processes that share integrals and distances; nullptr: this process does it all. */
   Ranks* ranks = nullptr;
 };
 }

@@ -36,7 +36,7 @@ void handOn(Ranks& ranks, const Packet& packet)
     }
     catch (const std::runtime_error& error)
     {
-      lost = error;
+      lost = lost ? lost : error;
     }
   }
   if (lost)

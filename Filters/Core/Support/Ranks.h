@@ -2,7 +2,7 @@
  * @file Ranks.h
  * @brief The processes that share a run, and what they tell each other. The one seam to MPI.
  *
- * The first rank has the whole run. The others work for it (RankWork.h) and know nothing but what
+ * The first rank has the whole run. The others work for it (RankOrders.h) and know nothing but what
  * it sends. All run the same program on machines of one kind: values are sent as they lie in
  * memory.
  */

@@ -68,7 +68,7 @@ public:
   void addUpAtOnce(Offset blocks) { m_window = blocks; }
 
   /**
-   * From now on, integrals are divided among ranks that wait for orders (RankWork.h).
+   * From now on, integrals are divided among ranks that wait for orders (RankOrders.h).
    *
    * @param ranks nullptr: none. They must outlive this object.
    */

@@ -1,11 +1,8 @@
 #include "Voronoi/SharedIntegration.h"
 
 #include "Embedding/SurfacePart.h"
-#include "Support/RankTree.h"
-#include "Voronoi/RankWork.h"
 
 #include <algorithm>
-#include <exception>
 
 namespace remesh
 {
@@ -60,8 +57,7 @@ Blocks facetBlocks(const EmbeddedSurface& surface)
 
 SharedIntegration::SharedIntegration(
   Ranks& ranks, const EmbeddedSurface& surface, Index numberOfSites)
-  : m_ranks(ranks)
-  , m_next(1)
+  : m_others(ranks)
 {
   const Blocks blocks = facetBlocks(surface);
   const std::vector<Offset> first = divideBlocks(blocks, ranks.count(), surface, numberOfSites);
@@ -77,8 +73,7 @@ SharedIntegration::SharedIntegration(
       m_ownCorners = std::max(m_ownCorners, corner + 1);
     }
   }
-  handOn(ranks, Packet::of(RankOrder::TakeSurface));
-  for (int rank = 1; rank < ranks.count(); ++rank)
+  const auto partFor = [&](int rank)
   {
     const Offset begin = std::min(blocks.size, blocks.begin(first[rank]));
     const Offset end = std::min(blocks.size, blocks.begin(first[rank + 1]));
@@ -86,50 +81,34 @@ SharedIntegration::SharedIntegration(
     packet.add(blocks.length);
     packet.add(shareOf(begin, end));
     addSurface(partOf(surface, begin, end), packet);
-    ranks.send(rank, packet);
-  }
-}
-
-SharedIntegration::~SharedIntegration()
-{
-  for (; m_next < m_ranks.count(); ++m_next)
-  {
-    try
-    {
-      m_ranks.receive(m_next);
-    }
-    catch (const std::exception&)
-    {
-      continue; // whoever hears from it next finds it out
-    }
-  }
+    return packet;
+  };
+  m_others.tell(RankOrder::TakeSurface, Packet(), partFor);
 }
 
 void SharedIntegration::begin(const Sites& sites)
 {
-  while (m_next < m_ranks.count()) // answers to their parts
+  while (m_others.moreAnswers()) // to their parts
   {
     Status status;
-    this->takeNext(status);
+    m_others.takeAnswer(status);
     m_taken = m_taken.ok() ? status : m_taken;
   }
   if (!m_taken.ok())
   {
     return;
   }
-  m_order.clear();
-  m_order.add(RankOrder::Integrate);
-  m_order.add(sites.dimension);
-  m_order.add(sites.fixed);
-  m_order.add(sites.coordinates);
-  m_next = 1; // even where one cannot be reached, others answer
-  handOn(m_ranks, m_order);
+  m_packet.clear();
+  m_packet.add(sites.dimension);
+  m_packet.add(sites.fixed);
+  m_packet.add(sites.coordinates);
+  m_others.tell(RankOrder::Integrate, m_packet, nullptr);
 }
 
 Status SharedIntegration::end(int dimension, const RunControl& control, CellSums* sums)
 {
   Status status = m_taken;
-  while (m_next < m_ranks.count())
+  while (m_others.moreAnswers())
   {
     Status next = this->addNext(dimension, control, sums);
     status = status.ok() ? next : status;
@@ -137,23 +116,10 @@ Status SharedIntegration::end(int dimension, const RunControl& control, CellSums
   return status;
 }
 
-Packet SharedIntegration::takeNext(Status& status)
-{
-  const int rank = m_next++;
-  Packet packet = m_ranks.receive(rank);
-  packet.take(status.code);
-  packet.take(status.message);
-  if (!status.ok())
-  {
-    status.message = "Process " + std::to_string(rank) + ": " + status.message;
-  }
-  return packet;
-}
-
 Status SharedIntegration::addNext(int dimension, const RunControl& control, CellSums* sums)
 {
   Status status;
-  Packet packet = this->takeNext(status);
+  Packet packet = m_others.takeAnswer(status);
   if (!status.ok())
   {
     return status;

@@ -17,7 +17,7 @@
 
 #include "Embedding/EmbeddedSurface.h"
 #include "Support/Parallel.h"
-#include "Support/Ranks.h"
+#include "Support/RankOrders.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/CellSums.h"
@@ -37,10 +37,6 @@ public:
    * @param numberOfSites about as many as will be there.
    */
   SharedIntegration(Ranks& ranks, const EmbeddedSurface& surface, Index numberOfSites);
-  /** Takes what others have still to send. */
-  ~SharedIntegration();
-  SharedIntegration(const SharedIntegration&) = delete;
-  SharedIntegration& operator=(const SharedIntegration&) = delete;
 
   /** The first so many blocks are this rank's. */
   Offset ownBlocks() const { return m_ownBlocks; }
@@ -61,17 +57,14 @@ public:
   Status end(int dimension, const RunControl& control, CellSums* sums);
 
 private:
-  /** The next answer, which begins with a status. */
-  Packet takeNext(Status& status);
   Status addNext(int dimension, const RunControl& control, CellSums* sums);
 
-  Ranks& m_ranks;
-  Packet m_order;                  ///< this and the next are kept for their memory
+  OtherRanks m_others;
+  Packet m_packet;                 ///< this and the next are kept for their memory
   std::vector<BlockSums> m_blocks; ///< of another rank
   Offset m_ownBlocks = 0;
   Index m_ownCorners = 0;
   double m_ownShare = 0.0;
-  int m_next;                         ///< the rank that is to answer next; their number: none
   Status m_taken = Status::success(); ///< whether all have their parts
 };
 }
