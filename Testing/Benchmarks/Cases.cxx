@@ -167,7 +167,8 @@ const std::vector<Case>& allCases()
     { "scaling-size", "over triangles m and points n: the fit a m + b n", scaleSize },
     { "scaling-ratio", "over a factor of 100 at fixed m / n: the exponent", scaleRatio },
     { "scaling-dimension", "over d from 3 to 1000", scaleDimension },
-    { "scaling-ranks", "an optimisation on 1, 2 and 4 processes: the speed-up", scaleRanks },
+    { "scaling-ranks", "optimisation and distances on 1, 2 and 4 processes: the speed-up",
+      scaleRanks },
     { "scaling-threads", "the filter with 1, 2, 4... threads: the speed-up", scaleThreads },
   };
   return cases;

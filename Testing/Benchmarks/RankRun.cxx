@@ -2,6 +2,7 @@
 
 #include "Measure.h"
 #include "Optimization/Sampling.h"
+#include "Run/MeshDistance.h"
 #include "Run/RankWork.h"
 #include "RunParts.h"
 #include "Surfaces.h"
@@ -92,18 +93,26 @@ private:
   std::vector<double> m_sent;
 };
 
+/** What is divided, one after the other; others are dismissed after each. */
+constexpr const char* stages[] = { "", "distance_" };
+
 /** Works until it is dismissed, and tells what that took. Returns an exit status. */
 int beOther(SocketRanks& ranks, const Settings& settings)
 {
   try
   {
-    RankCost cost;
-    inScope(settings, [&]() { cost.processor = timed([&]() { workForFirst(ranks); }).processor; });
-    cost.megabytes = peakMegabytes();
-    cost.sent = ranks.sentTo(Ranks::first);
-    Packet packet;
-    packet.add(cost);
-    ranks.send(Ranks::first, packet);
+    for ([[maybe_unused]] const char* stage : stages)
+    {
+      RankCost cost;
+      cost.sent = -ranks.sentTo(Ranks::first);
+      inScope(
+        settings, [&]() { cost.processor = timed([&]() { workForFirst(ranks); }).processor; });
+      cost.megabytes = peakMegabytes();
+      cost.sent += ranks.sentTo(Ranks::first);
+      Packet packet;
+      packet.add(cost);
+      ranks.send(Ranks::first, packet);
+    }
     return EXIT_SUCCESS;
   }
   catch (const std::exception&)
@@ -177,16 +186,32 @@ std::uint64_t digestOf(const std::vector<double>& values)
     [](std::uint64_t digest, unsigned char byte) { return (digest ^ byte) * 0x100000001b3ULL; });
 }
 
-/** What a run printed. */
+/** What a stage of a run printed. */
 struct RankReport
 {
-  unsigned long long digest = 0;
-  int evaluations = 0;
+  unsigned long long digest = 0; ///< of what it made
+  int sharings = 0;              ///< evaluations or the like, of which bytes are told on average
   double wall = 0.0;
   std::vector<RankCost> costs; ///< of each rank
 };
 
-RankReport reportOf(const RankRun& run, const Settings& settings)
+/** Takes it from what was printed. */
+bool takeReport(FILE* answer, int ranks, RankReport& report)
+{
+  bool complete =
+    std::fscanf(answer, "%llu %d %lf", &report.digest, &report.sharings, &report.wall) == 3;
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    RankCost cost;
+    complete = complete &&
+      std::fscanf(answer, "%lf %lf %lf", &cost.processor, &cost.megabytes, &cost.sent) == 3;
+    report.costs.push_back(cost);
+  }
+  return complete;
+}
+
+/** Of each stage. */
+std::vector<RankReport> reportsOf(const RankRun& run, const Settings& settings)
 {
   const std::string line = commandLine({ settings.self, "--threads",
     std::to_string(settings.threads), "--lloyd", std::to_string(settings.lloydIterations),
@@ -197,21 +222,17 @@ RankReport reportOf(const RankRun& run, const Settings& settings)
   {
     throw std::runtime_error("cannot start a shell");
   }
-  RankReport report;
-  bool complete =
-    std::fscanf(answer, "%llu %d %lf", &report.digest, &report.evaluations, &report.wall) == 3;
-  for (int rank = 0; rank < run.ranks; ++rank)
+  std::vector<RankReport> reports(std::size(stages));
+  bool complete = true;
+  for (RankReport& report : reports)
   {
-    RankCost cost;
-    complete = complete &&
-      std::fscanf(answer, "%lf %lf %lf", &cost.processor, &cost.megabytes, &cost.sent) == 3;
-    report.costs.push_back(cost);
+    complete = complete && takeReport(answer, run.ranks, report);
   }
   if (pclose(answer) != 0 || !complete)
   {
     throw std::runtime_error("the command failed: " + line);
   }
-  return report;
+  return reports;
 }
 
 double largestOfOthers(const RankReport& report, double RankCost::*entry)
@@ -224,25 +245,25 @@ double largestOfOthers(const RankReport& report, double RankCost::*entry)
   return largest;
 }
 
-/** With the number of ranks behind their names. */
-Figures figuresOf(const RankReport& report)
+/** With the stage before their names, and the number of ranks behind them. */
+Figures figuresOf(const std::string& stage, const RankReport& report)
 {
   const std::size_t count = report.costs.size();
-  const std::string ranks = "_" + std::to_string(count);
-  Figures figures = { { "wall" + ranks, report.wall, "s" },
-    { "first" + ranks, report.costs[0].processor, "s" },
-    { "memory" + ranks, report.costs[0].megabytes, "MB" } };
+  Figures figures;
+  const auto add = [&](const char* name, double value, const char* unit) {
+    figures.push_back({ stage + name + "_" + std::to_string(count), value, unit });
+  };
+  add("wall", report.wall, "s");
+  add("first", report.costs[0].processor, "s");
+  add("memory", report.costs[0].megabytes, "MB");
   if (count > 1)
   {
-    const double share = 1e-6 / report.evaluations;
     const double back = std::accumulate(report.costs.begin() + 1, report.costs.end(), 0.0,
       [](double sum, const RankCost& cost) { return sum + cost.sent; });
-    figures.push_back({ "other" + ranks, largestOfOthers(report, &RankCost::processor), "s" });
-    figures.push_back(
-      { "memory_other" + ranks, largestOfOthers(report, &RankCost::megabytes), "MB" });
-    figures.push_back(
-      { "sent" + ranks, 1e-6 * report.costs[0].sent / (report.evaluations - 1.0), "MB" });
-    figures.push_back({ "back" + ranks, share * back, "MB" });
+    add("other", largestOfOthers(report, &RankCost::processor), "s");
+    add("memory_other", largestOfOthers(report, &RankCost::megabytes), "MB");
+    add("sent", 1e-6 * report.costs[0].sent / report.sharings, "MB");
+    add("back", 1e-6 * back / report.sharings, "MB");
   }
   return figures;
 }
@@ -250,17 +271,21 @@ Figures figuresOf(const RankReport& report)
 Figures rankRunsOnce(RankRun run, const Settings& settings)
 {
   Figures figures;
-  unsigned long long digest = 0;
+  std::vector<RankReport> alone;
   for (run.ranks = 1; run.ranks <= mostRanks; run.ranks *= 2)
   {
-    const RankReport report = reportOf(run, settings);
-    digest = run.ranks == 1 ? report.digest : digest;
-    if (report.digest != digest)
+    const std::vector<RankReport> reports = reportsOf(run, settings);
+    alone = run.ranks == 1 ? reports : alone;
+    for (std::size_t k = 0; k < reports.size(); ++k)
     {
-      throw std::runtime_error(std::to_string(run.ranks) + " processes make other bytes than one");
+      if (reports[k].digest != alone[k].digest)
+      {
+        throw std::runtime_error(
+          std::to_string(run.ranks) + " processes make other bytes than one");
+      }
+      const Figures some = figuresOf(stages[k], reports[k]);
+      figures.insert(figures.end(), some.begin(), some.end());
     }
-    const Figures some = figuresOf(report);
-    figures.insert(figures.end(), some.begin(), some.end());
   }
   return figures;
 }
@@ -269,24 +294,45 @@ Figures rankRunsOnce(RankRun run, const Settings& settings)
 Figures rankRuns(const RankRun& run, const Settings& settings, Figures& scaled)
 {
   const Figures figures = repeated(settings, [&]() { return rankRunsOnce(run, settings); });
-  for (int count = 2; count <= mostRanks; count *= 2)
+  for (const std::string stage : stages)
   {
-    const std::string ranks = "_" + std::to_string(count);
-    const double busiest =
-      std::max(value(figures, "first" + ranks), value(figures, "other" + ranks));
-    scaled.push_back({ "processor" + ranks, value(figures, "first_1") / busiest, "1" });
-    if (count <= static_cast<int>(std::thread::hardware_concurrency()))
+    for (int count = 2; count <= mostRanks; count *= 2)
     {
+      const std::string ranks = "_" + std::to_string(count);
+      const double busiest =
+        std::max(value(figures, stage + "first" + ranks), value(figures, stage + "other" + ranks));
       scaled.push_back(
-        { "wall" + ranks, value(figures, "wall_1") / value(figures, "wall" + ranks), "1" });
+        { stage + "processor" + ranks, value(figures, stage + "first_1") / busiest, "1" });
+      if (count <= static_cast<int>(std::thread::hardware_concurrency()))
+      {
+        scaled.push_back({ stage + "wall" + ranks,
+          value(figures, stage + "wall_1") / value(figures, stage + "wall" + ranks), "1" });
+      }
     }
   }
   return figures;
 }
 
-void runOnRanks(const RankRun& run, const Settings& settings)
+namespace
 {
-  SocketRanks ranks = startOthers(run, settings); // while there is little that they would copy
+/** Prints a stage (see takeReport), with what the others tell of it when they are dismissed. */
+void printStage(SocketRanks& ranks, const std::vector<double>& made, int sharings,
+  const Elapsed& elapsed, double sent)
+{
+  dismissOthers(ranks);
+  std::printf("%llu %d %.9g\n%.9g %.9g %.9g\n", static_cast<unsigned long long>(digestOf(made)),
+    sharings, elapsed.wall, elapsed.processor, peakMegabytes(), sent);
+  for (int rank = 1; rank < ranks.count(); ++rank)
+  {
+    Packet packet = ranks.receive(rank);
+    RankCost cost;
+    packet.take(cost);
+    std::printf("%.9g %.9g %.9g\n", cost.processor, cost.megabytes, cost.sent);
+  }
+}
+
+void optimizeOnRanks(const RankRun& run, const Settings& settings, SocketRanks& ranks)
+{
   const EmbeddedSurface surface = gaussMapped(bumpyTorus(run.triangles).data);
   Optimization optimization(surface);
   optimization.voronoi.divideAmong(&ranks);
@@ -303,16 +349,65 @@ void runOnRanks(const RankRun& run, const Settings& settings)
         [&]() { optimization.run(surface, settings.lloydIterations, settings.newtonIterations); });
       sent += ranks.sentToAll();
     });
-  dismissOthers(ranks);
-  std::printf("%llu %d %.9g\n%.9g %.9g %.9g\n",
-    static_cast<unsigned long long>(digestOf(optimization.sites.coordinates)),
-    optimization.voronoi.evaluations(), elapsed.wall, elapsed.processor, peakMegabytes(), sent);
+  const int evaluations = optimization.voronoi.evaluations();
+  sent *= evaluations / (evaluations - 1.0); // as for the first one, too
+  printStage(ranks, optimization.sites.coordinates, evaluations, elapsed, sent);
+}
+
+/** As far as distances need it. */
+SurfaceMesh meshOf(vtkPolyData* data)
+{
+  SurfaceMesh mesh;
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+  {
+    mesh.points.emplace_back(data->GetPoint(point));
+  }
+  std::vector<Triple> facets;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    data->GetCellPoints(cell, size, ids);
+    facets.push_back(
+      { static_cast<Index>(ids[0]), static_cast<Index>(ids[1]), static_cast<Index>(ids[2]) });
+  }
+  mesh.facetPoints = std::move(facets);
+  return mesh;
+}
+
+/** The mesh that is compared is the same torus with as many points as there are sites. */
+void compareOnRanks(const RankRun& run, const Settings& settings, SocketRanks& ranks)
+{
+  const SurfaceMesh surface = meshOf(bumpyTorus(run.triangles).data);
+  const SurfaceMesh made = meshOf(bumpyTorus(2.0 * run.points).data);
+  RemeshResult result;
+  result.placement.positions = made.points;
+  result.dual.triangles = made.facetPoints;
+  Elapsed elapsed;
+  double sent = -ranks.sentToAll();
+  inScope(settings,
+    [&]()
+    {
+      elapsed = timed([&]() { orThrow(findDistance(surface, &ranks, RunControl(), result)); });
+      sent += ranks.sentToAll();
+    });
+  const TwoSidedDistance& distance = result.distance.value();
+  std::vector<double> found;
+  for (const OneSidedDistance& side : { distance.forward, distance.backward })
+  {
+    found.insert(found.end(), { side.area, side.mean, side.rms, side.maximum });
+  }
+  printStage(ranks, found, 1, elapsed, sent);
+}
+}
+
+void runOnRanks(const RankRun& run, const Settings& settings)
+{
+  SocketRanks ranks = startOthers(run, settings); // while there is little that they would copy
+  optimizeOnRanks(run, settings, ranks);
+  compareOnRanks(run, settings, ranks);
   for (int rank = 1; rank < run.ranks; ++rank)
   {
-    Packet packet = ranks.receive(rank);
-    RankCost cost;
-    packet.take(cost);
-    std::printf("%.9g %.9g %.9g\n", cost.processor, cost.megabytes, cost.sent);
     wait(nullptr);
   }
 }

@@ -73,25 +73,34 @@ def check_measurement(case, one):
         check(figures["processor"]["value"] > 0.0, *where, figures)
         check(-90.0 < figures["exactness"]["value"] < 900.0, *where, figures)
     if case["name"] == "scaling-ranks":
-        check_ranks(one["points"], figures, where)
+        check_ranks(one["points"], one["triangles"], figures, where)
     if case["name"].startswith("energy-"):
         check(0.0 <= figures["energy_above_converged"]["value"] < 20.0, *where, figures)
         check(figures["steps_to_0.3_percent"]["value"] >= 0, *where, figures)
 
 
-def check_ranks(points, figures, where):
+def check_ranks(points, triangles, figures, where):
     """What is sent for an evaluation: the sites, handed on, and back the sums of blocks."""
     def value(name):
         return figures[name]["value"]
-    for ranks in (1, 2, 4):
-        check(value(f"wall_{ranks}") > 0.0 and value(f"first_{ranks}") > 0.0, *where, ranks)
+    for stage in ("", "distance_"):
+        for ranks in (1, 2, 4):
+            check(value(f"{stage}wall_{ranks}") > 0.0 and value(f"{stage}first_{ranks}") > 0.0,
+                  *where, stage, ranks)
+        for ranks in (2, 4):
+            check(value(f"{stage}other_{ranks}") > 0.0, *where, stage, ranks)
+            check(1.0 < value(f"{stage}memory_other_{ranks}") < value(f"{stage}memory_1"), *where,
+                  stage, ranks)
     for ranks in (2, 4):
-        check(value(f"other_{ranks}") > 0.0, *where, ranks)
         times = ranks // 2  # ranks that hear it from the first
-        check(48 * points <= 1e6 * value(f"sent_{ranks}") / times <= 48 * points + 100, *where,
+        check(48 * points <= 1e6 * value(f"sent_{ranks}") / times <= 48 * points + 150, *where,
               value(f"sent_{ranks}"))
         check(value(f"back_{ranks}") > 0.5e-6 * 68 * points / ranks, *where)
-        check(1.0 < value(f"memory_other_{ranks}") < value("memory_1"), *where, ranks)
+        # The mesh of about so many points to each that hears it, and triangles of the surface.
+        mesh = times * 48 * points
+        check(0.9 * mesh <= 1e6 * value(f"distance_sent_{ranks}") <= 1.1 * mesh + 75 * triangles,
+              *where, value(f"distance_sent_{ranks}"))
+        check(0 < 1e6 * value(f"distance_back_{ranks}") < 32 * 1024 + 1000, *where)
 
 
 def check_exponent(case):
@@ -128,7 +137,8 @@ def check_result(result, names):
     sizes = [cases[name]["measurements"][0]["triangles"] for name in ("metric-200k-10k",
                                                                       "metric-2M-10k")]
     check(all(0.9 < size / asked < 1.1 for size, asked in zip(sizes, (2e3, 2e4))), sizes)
-    check({"processor_2", "processor_4"} <= set(cases["scaling-ranks"]["figures"]), "scaling-ranks")
+    check({"processor_2", "processor_4", "distance_processor_2", "distance_processor_4"} <=
+          set(cases["scaling-ranks"]["figures"]), "scaling-ranks")
     speedups = cases["scaling-threads"]["figures"]
     check(speedups and all(figure["value"] == 1.0 if name.endswith("_1") else figure["value"] > 0.0
                            for name, figure in speedups.items()), speedups)
