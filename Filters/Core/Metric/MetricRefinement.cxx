@@ -12,6 +12,7 @@ constexpr double longest = 0.5;      // of the unit
 constexpr double shortest = 0.125;   // of the unit, where the metric changes
 constexpr double maxVariation = 1.3; // between sizes at an edge's ends
 constexpr double goodEnough = 0.15;  // quality of pieces in the metric, 1 for equal sides
+constexpr double needle = 0.04;      // quality of facets whose sides are split first
 
 /** The tensors at three corners of a facet, as logarithms in its plane. */
 using Logarithms = std::array<Tensor2, 3>;
@@ -215,6 +216,7 @@ bool refineForMetric(const SurfaceMesh& mesh, const Features* features, const Me
   PieceShapes shapes;
   shapes.energy = [&](const FacetOrigin& piece) { return interpolation.energy(piece); };
   shapes.enough = 4.0 * std::sqrt(3.0) / goodEnough;
+  shapes.needle = 4.0 * std::sqrt(3.0) / needle;
   limits.shapes = &shapes;
   const bool any = refine(criterion, limits, control, refined);
   if (any && !control.cancelled())

@@ -10,6 +10,8 @@
  *    (Refinement.h): needles of the metric fall into pieces of good shape, that may be thin in R^3.
  * 4. After each round, edges between needles within a facet are flipped in the metric
  *    (PieceFlips.h). A thin layer across the facets' sides needs far fewer pieces then.
+ * 5. Of facets that are needles themselves, the sides are split first (Refinement.h): flips join
+ *    the points on them to pieces that are thin across the layer, and few.
  */
 #ifndef remesh_MetricRefinement_h
 #define remesh_MetricRefinement_h

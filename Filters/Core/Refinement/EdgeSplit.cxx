@@ -26,7 +26,7 @@ struct Parts
   void add(int a, int b, int c) { this->nodes[this->count++] = { a, b, c }; }
 };
 
-/** @param longest side, which is split if one is. */
+/** @param longest of the sides that are split, if one is. */
 Parts partsOf(const std::array<bool, 3>& split, int longest)
 {
   const int a = longest;
@@ -77,6 +77,20 @@ int sideThrough(int node, int other)
   return 3;
 }
 
+/** The longest of the sides that are split; any where none is. */
+int longestSplit(
+  const Triple& facetEdges, const std::array<bool, 3>& split, const EdgesToSplit& wanted)
+{
+  int longest = 0;
+  for (const int k : { 1, 2 })
+  {
+    const bool isBetter =
+      split[k] != split[longest] ? split[k] : wanted.isLonger(facetEdges[k], facetEdges[longest]);
+    longest = isBetter ? k : longest;
+  }
+  return longest;
+}
+
 /** One round of splits. */
 class Splitter
 {
@@ -123,7 +137,7 @@ private:
     const Triple& sides = m_edges.facetEdges[facet];
     const std::array<bool, 3> split{ m_wanted.marked[sides[0]] != 0, m_wanted.marked[sides[1]] != 0,
       m_wanted.marked[sides[2]] != 0 };
-    const Parts parts = partsOf(split, longestSide(sides, m_wanted));
+    const Parts parts = partsOf(split, longestSplit(sides, split, m_wanted));
     for (int p = 0; p < parts.count; ++p)
     {
       this->addFacet(facet, parts.nodes[p]);
@@ -221,12 +235,7 @@ private:
 
 int longestSide(const Triple& facetEdges, const EdgesToSplit& wanted)
 {
-  int longest = 0;
-  for (const int k : { 1, 2 })
-  {
-    longest = wanted.isLonger(facetEdges[k], facetEdges[longest]) ? k : longest;
-  }
-  return longest;
+  return longestSplit(facetEdges, { true, true, true }, wanted);
 }
 
 void closeMarks(const EdgeTable& edges, EdgesToSplit& wanted)
@@ -245,9 +254,10 @@ void closeMarks(const EdgeTable& edges, EdgesToSplit& wanted)
     fresh.pop_back();
     for (Index k = edges.edgeFacetsBegin[edge]; k < edges.edgeFacetsBegin[edge + 1]; ++k)
     {
-      const Triple& sides = edges.facetEdges[edges.edgeFacets[k]];
+      const Index facet = edges.edgeFacets[k];
+      const Triple& sides = edges.facetEdges[facet];
       const Index longest = sides[longestSide(sides, wanted)];
-      if (!wanted.marked[longest])
+      if (!wanted.isOpen(facet) && !wanted.marked[longest])
       {
         wanted.marked[longest] = 1;
         fresh.push_back(longest);

@@ -32,6 +32,8 @@ struct PieceShapes
   std::function<double(const FacetOrigin& piece)> energy;
   /** Edges between two pieces that both have no more energy than that are left alone. */
   double enough = 0.0;
+  /** A facet with more energy than that is a needle: see RefinementLimits. */
+  double needle = 0.0;
 };
 
 /** Pieces of facets; those of each are one after the other. */

@@ -1,6 +1,7 @@
 #include "Refinement/Refinement.h"
 
 #include "Features/FeatureGraph.h"
+#include "Support/Grouping.h"
 
 #include <algorithm>
 
@@ -46,6 +47,54 @@ void keepLongest(const EdgeTable& edges, Offset room, EdgesToSplit& wanted)
   }
   closeMarks(edges, wanted);
 }
+
+/** Whether an edge is between pieces of one facet. */
+bool isWithinFacet(const RefinedSurface& surface, const EdgeTable& edges, Index edge)
+{
+  const Index begin = edges.edgeFacetsBegin[edge];
+  return edges.valence(edge) == 2 &&
+    surface.origins[edges.edgeFacets[begin]].facet ==
+    surface.origins[edges.edgeFacets[begin + 1]].facet;
+}
+
+/** Pieces of needles are open; edges between them wait while a side of the needle is marked. */
+void splitSidesFirst(const RefinedSurface& surface, const EdgeTable& edges,
+  const std::vector<char>& needles, EdgesToSplit& wanted)
+{
+  std::vector<char> waits(needles.size(), 0);
+  wanted.open.resize(surface.origins.size());
+  const auto forEachMark = [&](const auto& visit)
+  {
+    for (std::size_t f = 0; f < surface.origins.size(); ++f)
+    {
+      const Index given = surface.origins[f].facet;
+      wanted.open[f] = needles[given];
+      for (int k = 0; k < 3 && needles[given]; ++k)
+      {
+        const Index edge = edges.facetEdges[f][k];
+        if (wanted.marked[edge])
+        {
+          visit(given, edge);
+        }
+      }
+    }
+  };
+  forEachMark([&](Index given, Index edge)
+    { waits[given] |= static_cast<char>(!isWithinFacet(surface, edges, edge)); });
+  forEachMark([&](Index given, Index edge)
+    { wanted.marked[edge] = !waits[given] || !isWithinFacet(surface, edges, edge); });
+}
+
+/** Which facets are needles by the shapes; of no use when cancelled. */
+std::vector<char> findNeedles(
+  const RefinedSurface& surface, const PieceShapes& shapes, const RunControl& control)
+{
+  std::vector<char> needles(surface.origins.size());
+  const auto find = [&](Offset f)
+  { needles[f] = shapes.energy(surface.origins[f]) > shapes.needle; };
+  static_cast<void>(forEachItem(static_cast<Offset>(needles.size()), control, find));
+  return needles;
+}
 }
 
 RefinedSurface wholeSurface(const SurfaceMesh& mesh, const Features* features)
@@ -85,6 +134,8 @@ void traceAnew(const RunControl& control, RefinedSurface& surface)
 bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
   const RunControl& control, RefinedSurface& surface)
 {
+  const std::vector<char> needles =
+    limits.shapes ? findNeedles(surface, *limits.shapes, control) : std::vector<char>();
   bool any = false;
   bool fits = true;
   for (int round = 0; round < limits.maxRounds && fits && !control.cancelled(); ++round)
@@ -101,6 +152,10 @@ bool refine(const SplitCriterion& criterion, const RefinementLimits& limits,
     if (std::find(wanted.marked.begin(), wanted.marked.end(), 1) == wanted.marked.end())
     {
       break;
+    }
+    if (limits.shapes)
+    {
+      splitSidesFirst(surface, edges, needles, wanted);
     }
     closeMarks(edges, wanted);
     const Offset room = limits.maxFacets - surface.mesh.numberOfFacets();

@@ -21,15 +21,22 @@ using SplitCriterion =
 
 struct RefinementLimits
 {
-  Offset maxFacets = 0;                ///< that the surface may come to have
-  int maxRounds = maxSplits;           ///< each halves the edges that are too long
-  const PieceShapes* shapes = nullptr; ///< if any: pieces are flipped for it after each round
+  Offset maxFacets = 0;      ///< that the surface may come to have
+  int maxRounds = maxSplits; ///< each halves the edges that are too long
+  /**
+   * If any: pieces are flipped for it after each round. Of facets that are needles by it, the sides
+   * are split first, and nothing else with them.
+   */
+  const PieceShapes* shapes = nullptr;
 };
 
 /**
  * Splits edges, and the facets at them, until the criterion wants no more of them: conforming, as
  * each is split for all facets around it, and the geometry stays as it is. Where there is no room
  * for all that it wants, the longest edges come first.
+ *
+ * To halve longest sides keeps shapes: of a needle k times as long as wide it makes pieces all over
+ * its inside, log2 k times as many as the points on its sides need once pieces may be flipped.
  *
  * @param surface of which nothing is split yet (`wholeSurface`).
  * @param control when it cancels, the surface is of no use.
