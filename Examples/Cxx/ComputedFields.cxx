@@ -17,6 +17,10 @@
 
 namespace
 {
+/** Point arrays that each mesh has of its own (Outputs.md): those of the input are not on it. */
+constexpr std::initializer_list<const char*> ownArrays = { "SiteId", "ComponentId", "CellColor",
+  "CellArea", "CellMass", "CellEnergy", "CellWeightedMass", "Embedding", "Normals" };
+
 /** The place of a choice among the names that the option has, in the order of the filter's. */
 int NumberOf(const std::string& choice, std::initializer_list<const char*> names)
 {
@@ -73,6 +77,14 @@ void CheckEmbeddings(const Options& options)
   {
     UsageError("--metric, --solution, --embedding-array and --eigenfunctions all replace position "
                "and normal: choose one");
+  }
+  if (!MetricNameFor(options).empty() &&
+    std::find(ownArrays.begin(), ownArrays.end(), options.Metric) != ownArrays.end())
+  {
+    UsageError("--metric " + options.Metric +
+      ": the mesh has an array of its own with that name, " +
+      "so that the metric cannot be written to '" + MetricNameFor(options) +
+      "': give the array another name");
   }
 }
 

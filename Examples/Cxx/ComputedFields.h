@@ -19,7 +19,10 @@ vtkSmartPointer<vtkSurfaceFieldAlgorithm> MetricForSolutions(const Options& opti
 /** A filter that adds the point array Embedding of eigenfunctions; null: they are not wanted. */
 vtkSmartPointer<vtkSurfaceFieldAlgorithm> EigenfunctionsFor(const Options& options);
 
-/** Throws Failure with EXIT_USAGE where more than one embedding is asked for. */
+/**
+ * Throws Failure with EXIT_USAGE where more than one embedding is asked for, or a metric that the
+ * mesh has no room for beside its own arrays, though it is to be written.
+ */
 void CheckEmbeddings(const Options& options);
 
 /** The options that take the computed arrays for metric and embedding. */

@@ -7,6 +7,8 @@ Binary files are written and read here by code of their own, as the format tells
 import gzip
 import json
 import os
+import pathlib
+import re
 import struct
 
 import numpy
@@ -189,10 +191,10 @@ class TestBinary(FilesTest):
 
 
 class TestMetricOfMesh(FilesTest):
-    def input_with(self, name, values):
+    def input_with(self, name, values, array_name="M"):
         surface = sphere()
         array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
-        array.SetName("M")
+        array.SetName(array_name)
         surface.GetPointData().AddArray(array)
         write(surface, self.input(name))
         return self.input(name)
@@ -256,6 +258,21 @@ class TestMetricOfMesh(FilesTest):
             kind, rows = solution_text(content(self.path("square.sol")))
             self.assertEqual(kind, 3)
             self.assertLess(abs(rows - [4, 2, 9, 0, 0, 32 ** 0.5]).max(), 1e-12)
+
+    def test_names_of_own_arrays(self):
+        """A metric with the name of an array of the mesh itself can be used, but not be written."""
+        outputs = pathlib.Path(__file__).parents[2] / "Documentation" / "Outputs.md"
+        table = outputs.read_text("utf-8").split("## Port 0: Surface")[1].split("Field data")[0]
+        names = re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE)
+        self.assertIn("CellArea", names)
+        for name in names:
+            with self.subTest(name=name):
+                self.fail_with(2, "--metric %s: the mesh has an array of its own" % name,
+                               self.input(), "own.meshb", *SMALL, "--metric", name)
+        path = self.input_with("own.vtp", self.tensors(), "CellArea")
+        self.succeed(path, "own.vtp", *SMALL, "--metric", "CellArea")
+        mesh = read(self.path("own.vtp"))
+        self.assertEqual(mesh.GetPointData().GetArray("CellArea").GetNumberOfComponents(), 1)
 
     def test_solution(self):
         """The metric for a solution; mesh and metric are an input again, text or binary."""
