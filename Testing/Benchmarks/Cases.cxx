@@ -104,16 +104,35 @@ void scaleRanks(Workshop& workshop, CaseResult& result)
   result.measurements.push_back(one);
 }
 
-Case metricCase(const char* name, double surfacePoints)
+Case metricCase(const std::string& name, double surfacePoints, double points, bool isBent)
 {
-  return { std::string("metric-") + name, "the embedding of a metric, and remeshing in it",
+  return { name, "the embedding of a metric, and remeshing in it",
     [=](Workshop& workshop, CaseResult& result)
     {
       const MetricRun metric = { static_cast<int>(workshop.shrunk(surfacePoints)),
-        static_cast<int>(workshop.shrunk(1e4)) };
-      const Surface surface = torusWithMetric(metric.surfacePoints);
+        static_cast<int>(workshop.shrunk(points)), isBent };
+      const Surface surface = surfaceFor(metric);
       Measurement one = described(surface, metric.points, workshop.settings());
       one.figures = metricRun(metric, workshop.settings());
+      result.measurements.push_back(one);
+    } };
+}
+
+/** @param isUnit whether the metric decides the number of points, which is scaled to the same. */
+Case metricRunCase(const std::string& name, bool isUnit)
+{
+  return { name, "the command line with a metric, from file to file",
+    [=](Workshop& workshop, CaseResult& result)
+    {
+      const Surface surface = torusWithMetric(static_cast<double>(workshop.shrunk(1e5)));
+      Measurement one = described(surface, workshop.shrunk(1e4), workshop.settings());
+      std::vector<std::string> options = { "--metric", "Metric" };
+      if (isUnit)
+      {
+        const double area = 0.5 * std::sqrt(3.0) * static_cast<double>(one.points);
+        options.insert(options.end(), { "--unit", "--complexity", std::to_string(area) });
+      }
+      one.figures = programRun(surface, one.points, options, workshop.settings());
       result.measurements.push_back(one);
     } };
 }
@@ -162,8 +181,11 @@ const std::vector<Case>& allCases()
     { "exact-86k-10k", "what exact decisions cost over their filters alone", measureExactness },
     { "shell-40k-100", "the filter on two sheets, far closer than the points", measureShell },
     { "wide-100k-1k", "the filter in 5000 dimensions", measureWideRun },
-    metricCase("200k-10k", 1e5),
-    metricCase("2M-10k", 1e6),
+    metricCase("metric-200k-10k", 1e5, 1e4, false),
+    metricCase("metric-2M-10k", 1e6, 1e4, false),
+    metricCase("metric_bent-200k-4k", 1e5, 4e3, true),
+    metricRunCase("metric_run-200k-10k", false),
+    metricRunCase("metric_unit-200k-10k", true),
     { "scaling-size", "over triangles m and points n: the fit a m + b n", scaleSize },
     { "scaling-ratio", "over a factor of 100 at fixed m / n: the exponent", scaleRatio },
     { "scaling-dimension", "over d from 3 to 1000", scaleDimension },

@@ -135,8 +135,9 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments, const Se
       line.wide.points = words.countOf(option, 1, 1000000000);
       line.wide.dimension = words.countOf(option, 4, 1000000);
     }
-    else if (option == "--metric-run")
+    else if (option == "--metric-run" || option == "--bent-run")
     {
+      line.metric.isBent = option == "--bent-run";
       line.metric.surfacePoints = words.countOf(option, 1, 1000000000);
       line.metric.points = words.countOf(option, 1, 1000000000);
     }

@@ -23,7 +23,7 @@ struct CommandLine
   /** What this program starts itself for (Measure.h, Runs.h). */
   std::vector<std::string> command; ///< of --cost-of
   WideRun wide;                     ///< of --wide-run
-  MetricRun metric;                 ///< of --metric-run
+  MetricRun metric;                 ///< of --metric-run or --bent-run
   RankRun ranks;                    ///< of --rank-run
   ///@}
 };

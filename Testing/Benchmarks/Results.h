@@ -43,6 +43,7 @@ struct MetricRun
 {
   int surfacePoints = 0; ///< about; 0: no run
   int points = 0;        ///< of the mesh that it is for
+  bool isBent = false;   ///< of gridWithLayer() instead of torusWithMetric()
 };
 
 /** An optimisation that several processes share. */

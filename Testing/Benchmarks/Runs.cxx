@@ -179,15 +179,15 @@ vtkSmartPointer<vtkPolyData> embeddedInMetric(
 
 void runMetric(const MetricRun& metric, const Settings& settings)
 {
-  embeddedInMetric(torusWithMetric(metric.surfacePoints).data, metric.points, settings);
+  embeddedInMetric(surfaceFor(metric).data, metric.points, settings);
 }
 
 Figures metricRun(const MetricRun& metric, const Settings& settings)
 {
-  const Surface surface = torusWithMetric(metric.surfacePoints);
+  const Surface surface = surfaceFor(metric);
   const std::vector<std::string> command = { settings.self, "--threads",
-    std::to_string(settings.threads), "--metric-run", std::to_string(metric.surfacePoints),
-    std::to_string(metric.points) };
+    std::to_string(settings.threads), metric.isBent ? "--bent-run" : "--metric-run",
+    std::to_string(metric.surfacePoints), std::to_string(metric.points) };
   return repeated(settings,
     [&]()
     {
@@ -214,8 +214,8 @@ Figures programRun(const Surface& surface, Offset points, const std::vector<std:
   std::string input = surface.file;
   if (input.empty())
   {
-    input = folder.file("surface.ply");
-    writePly(surface.data, input);
+    input = folder.file(std::string("surface") + extensionFor(surface.data));
+    writeSurface(surface.data, input);
   }
   std::vector<std::string> command = { settings.program, input, folder.file("mesh.vtp"), "--points",
     std::to_string(points), "--anisotropy", std::to_string(anisotropy), "--lloyd",

@@ -38,7 +38,7 @@ Figures wideRun(const WideRun& wide, const Settings& settings);
 void runWide(const WideRun& wide, const Settings& settings);
 
 /**
- * The embedding of the metric of torusWithMetric(): `processor`, `wall`, and the peak `memory` of a
+ * The embedding of a metric: `processor`, `wall`, and the peak `memory` of a
  * process of its own that does it; those times of a default run in it, `remeshing`; and the
  * processor seconds of the embedding as a multiple of this one's, `over_remeshing`.
  */

@@ -8,8 +8,11 @@
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
 #include <vtkPLYWriter.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <Eigen/Dense>
 
@@ -113,6 +116,35 @@ Eigen::Matrix3d gradedMetric(const Eigen::Vector3d& point)
   return density * density *
     (Eigen::Matrix3d::Identity() + (ratio * ratio - 1.0) * across * across.transpose());
 }
+
+/** The metric of gridWithLayer(). */
+Eigen::Matrix3d bentMetric(const Eigen::Vector3d& point)
+{
+  constexpr double thin = 1e-4;
+  constexpr double most = 0.1;
+  constexpr double growth = 0.3;
+  const Eigen::Vector3d slope(-0.4 * pi * std::cos(2.0 * pi * point[0]), 1.0, 0.0);
+  const double height = point[1] - 0.2 * std::sin(2.0 * pi * point[0]);
+  const double size = std::min(most, thin + growth * std::abs(height) / slope.norm());
+  const Eigen::Vector3d across = slope.normalized();
+  return Eigen::Matrix3d::Identity() / (most * most) +
+    (1.0 / (size * size) - 1.0 / (most * most)) * across * across.transpose();
+}
+
+Surface withMetric(const std::string& name, vtkPolyData* data,
+  Eigen::Matrix3d (*metricAt)(const Eigen::Vector3d& point))
+{
+  vtkNew<vtkDoubleArray> metric;
+  metric->SetName("Metric");
+  metric->SetNumberOfComponents(6);
+  for (vtkIdType k = 0; k < data->GetNumberOfPoints(); ++k)
+  {
+    const Eigen::Matrix3d m = metricAt(Eigen::Map<const Eigen::Vector3d>(data->GetPoint(k)));
+    metric->InsertNextTuple6(m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2));
+  }
+  data->GetPointData()->AddArray(metric);
+  return { name, data, "" };
+}
 }
 
 Surface scan(const std::string& folder)
@@ -144,18 +176,25 @@ Surface thinShell(double triangles)
 
 Surface torusWithMetric(double points)
 {
-  const Surface surface = { "torus", torusOf(2.0 * points, { 1.0 }, plainRadius), "" };
-  vtkNew<vtkDoubleArray> metric;
-  metric->SetName("Metric");
-  metric->SetNumberOfComponents(6);
-  for (vtkIdType k = 0; k < surface.data->GetNumberOfPoints(); ++k)
-  {
-    const Eigen::Matrix3d m =
-      gradedMetric(Eigen::Map<const Eigen::Vector3d>(surface.data->GetPoint(k)));
-    metric->InsertNextTuple6(m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2));
-  }
-  surface.data->GetPointData()->AddArray(metric);
-  return surface;
+  return withMetric("torus", torusOf(2.0 * points, { 1.0 }, plainRadius), gradedMetric);
+}
+
+Surface gridWithLayer(double points)
+{
+  const int side = std::max(8, static_cast<int>(std::lround(std::sqrt(points))));
+  vtkNew<vtkPlaneSource> plane; // from -0.5 to 0.5
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->SetResolution(side - 1, side - 1);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  triangles->Update();
+  triangles->GetOutput()->GetPointData()->Initialize();
+  return withMetric("square", triangles->GetOutput(), bentMetric);
+}
+
+Surface surfaceFor(const MetricRun& run)
+{
+  return run.isBent ? gridWithLayer(run.surfacePoints) : torusWithMetric(run.surfacePoints);
 }
 
 Surface subdivided(const Surface& surface)
@@ -167,12 +206,23 @@ Surface subdivided(const Surface& surface)
   return { surface.name + ", subdivided twice", loop->GetOutput(), "" };
 }
 
-void writePly(vtkPolyData* surface, const std::string& path)
+const char* extensionFor(vtkPolyData* surface)
 {
-  vtkNew<vtkPLYWriter> writer;
-  writer->SetInputData(surface);
-  writer->SetFileName(path.c_str());
-  if (!writer->Write() || !std::ifstream(path))
+  return surface->GetPointData()->HasArray("Metric") ? ".vtp" : ".ply";
+}
+
+void writeSurface(vtkPolyData* surface, const std::string& path)
+{
+  const auto write = [&](auto* writer)
+  {
+    writer->SetInputData(surface);
+    writer->SetFileName(path.c_str());
+    return writer->Write() != 0;
+  };
+  const bool isWritten = surface->GetPointData()->HasArray("Metric")
+    ? write(vtkNew<vtkXMLPolyDataWriter>().Get())
+    : write(vtkNew<vtkPLYWriter>().Get());
+  if (!isWritten || !std::ifstream(path))
   {
     throw std::runtime_error("cannot write " + path);
   }

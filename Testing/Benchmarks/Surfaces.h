@@ -6,6 +6,7 @@
 #define remesh_benchmark_Surfaces_h
 
 #include "Embedding/EmbeddedSurface.h"
+#include "Results.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkPolyData.h>
@@ -41,11 +42,24 @@ Surface thinShell(double triangles);
  */
 Surface torusWithMetric(double points);
 
+/**
+ * The unit square as a grid of about this many points. Its point array Metric wants edges of 1e-4
+ * across a sine, that grow to 0.1 away from it, and of 0.1 along it: a layer that bends more than
+ * straight edges can follow, and is thinner than the grid.
+ */
+Surface gridWithLayer(double points);
+
+/** The one of both that is meant. */
+Surface surfaceFor(const MetricRun& run);
+
 /** Each triangle cut into 16: Loop's scheme, twice. */
 Surface subdivided(const Surface& surface);
 
-/** Binary PLY, as scans come. Throws std::runtime_error. */
-void writePly(vtkPolyData* surface, const std::string& path);
+/** Binary PLY, as scans come; VTP where there is a Metric. Throws std::runtime_error. */
+void writeSurface(vtkPolyData* surface, const std::string& path);
+
+/** The ending of that file's name. */
+const char* extensionFor(vtkPolyData* surface);
 
 /** Embedded by the Gauss map, d = 6, as in a default run. Throws std::runtime_error. */
 EmbeddedSurface gaussMapped(vtkPolyData* surface);

@@ -58,17 +58,18 @@ def check_measurement(case, one):
             total = figures[clock]["value"]
             parts = sum(figures[f"{phase}_{clock}"]["value"] for phase in PHASES)
             check(total > 0.0 and abs(parts - total) <= 1e-6 * total + 1e-9, *where, parts, total)
-    if case["name"].startswith(("plain-", "run-")):
+    if case["name"].startswith(("plain-", "run-", "metric_run-", "metric_unit-")):
         check(figures["wall"]["value"] > 0.0 and figures["processor"]["value"] > 0.0, *where)
         check(5.0 < figures["memory"]["value"] < 1000.0, *where, figures["memory"])
     if case["name"].startswith("wide-"):
         check(figures["memory_multiple"]["value"] > 1.0 and one["dimension"] == 5000, *where)
-    if case["name"].startswith("metric-"):
+    if case["name"].startswith(("metric-", "metric_bent-")):
         ratio = figures["processor"]["value"] / figures["remeshing_processor"]["value"]
         check(abs(figures["over_remeshing"]["value"] - ratio) <= 1e-9 * ratio, *where, ratio)
         check(figures["wall"]["value"] > 0.0 and figures["remeshing_wall"]["value"] > 0.0, *where)
         check(5.0 < figures["memory"]["value"] < 1000.0, *where, figures["memory"])
-        check(one["surface"] == "torus", *where, one["surface"])
+        kind = "square" if case["name"].startswith("metric_bent-") else "torus"
+        check(one["surface"] == kind, *where, one["surface"])
     if case["name"].startswith("exact-"):
         check(figures["processor"]["value"] > 0.0, *where, figures)
         check(-90.0 < figures["exactness"]["value"] < 900.0, *where, figures)
@@ -133,10 +134,12 @@ def check_result(result, names):
     check(dimensions == [3, 6, 8, 10, 17, 100, 1000], dimensions)
     check(set(cases["scaling-size"]["figures"]) == {"per_triangle", "per_point", "deviation"})
     check_exponent(cases["scaling-ratio"])
-    # Two triangles for each point of the torus, at both sizes.
-    sizes = [cases[name]["measurements"][0]["triangles"] for name in ("metric-200k-10k",
-                                                                      "metric-2M-10k")]
-    check(all(0.9 < size / asked < 1.1 for size, asked in zip(sizes, (2e3, 2e4))), sizes)
+    # Two triangles for each point, but at the border.
+    for name, asked in (("metric-200k-10k", 2e3), ("metric-2M-10k", 2e4),
+                        ("metric_bent-200k-4k", 2e3), ("metric_run-200k-10k", 2e3),
+                        ("metric_unit-200k-10k", 2e3)):
+        size = cases[name]["measurements"][0]["triangles"]
+        check(0.9 < size / asked < 1.1, name, size)
     check({"processor_2", "processor_4", "distance_processor_2", "distance_processor_4"} <=
           set(cases["scaling-ranks"]["figures"]), "scaling-ranks")
     speedups = cases["scaling-threads"]["figures"]

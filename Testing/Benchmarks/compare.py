@@ -164,8 +164,9 @@ def markdown(path):
     lines = ["| | triangles | points | processor s | ratio | |", "|---|--:|--:|--:|--:|---|"]
     for case in result["cases"]:
         kind = case["name"].split("-")[0]
-        if kind in ("evaluation", "plain", "run", "wide", "metric"):
-            lines += [row(kind, one) for one in case["measurements"]]
+        if kind in ("evaluation", "plain", "run", "wide", "metric", "metric_bent",
+                    "metric_run", "metric_unit"):
+            lines += [row(kind.replace("_", ", "), one) for one in case["measurements"]]
     calibration = result["calibration"]
     lines += ["", f"Ratio: to vtkQuadricDecimation of {calibration['surface']} "
               f"({count(calibration['triangles'])} triangles) to {count(calibration['points'])} "
