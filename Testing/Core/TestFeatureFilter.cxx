@@ -137,6 +137,27 @@ void testCreaseAtBorder()
   }
 }
 
+/**
+ * A straight ridge, loose and not strong: as long as 3.5 spacings it stays, as long as 1.8 it goes,
+ * whether its edges are long or short.
+ */
+void testStraightCrease()
+{
+  for (const int n : { 10, 20, 80 })
+  {
+    TriangleSoup soup = test::gridPatch(n, n);
+    for (Point3& point : soup.points)
+    {
+      const double height = std::min(1.0, std::max(0.0, 2.0 - 6.0 * std::abs(point.x() - 0.5)));
+      point.z() = -0.075 * height * std::tanh(6.0 * std::abs(point.y() - 0.5));
+    }
+    const SurfaceMesh mesh = test::meshOf(soup);
+    const auto ridge = [&](Offset sites) { return countFeatures(mesh, sites) - Offset(4) * n; };
+    CHECK_NEAR(static_cast<double>(ridge(80)) / n, 0.42, 0.03);
+    CHECK_EQUAL(ridge(20), 0);
+  }
+}
+
 void testBox()
 {
   const SurfaceMesh mesh = roughBox(20);
@@ -304,6 +325,7 @@ int TestFeatureFilter(int, char*[])
   testNoise();
   testNoiseAtBorder();
   testCreaseAtBorder();
+  testStraightCrease();
   testBox();
   testSteps();
   testBordersOfSteps();

@@ -35,6 +35,7 @@ constexpr double turnedBack = 2.35;     // radians
 constexpr double minCover = 2.0;        // times its area, of what a facet turned back lies on
 constexpr double largestMeanTurn = 0.5; // radians
 constexpr double largestSmoothTurn = 0.35;
+constexpr double largestStraightTurn = 0.2;
 constexpr double maxPerEdge = 0.15; // branches and ends beyond two
 constexpr double maxPerSpacing = 0.3;
 // Of noise so strong that its edges hang together everywhere: real creases turn by half as much.
@@ -84,7 +85,11 @@ bool isNoise(const Cluster& cluster, double spacing)
   {
     return false;
   }
-  const double least = loop ? minLoop : strong ? minStrongCrease : fine ? minFine : minCrease;
+  const bool straight = cluster.irregular <= 2 && meanTurn < largestStraightTurn;
+  const double least = loop ? minLoop
+    : strong                ? minStrongCrease
+    : fine && !straight     ? minFine
+                            : minCrease;
   return extent < least;
 }
 
