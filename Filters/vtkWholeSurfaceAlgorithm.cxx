@@ -331,13 +331,19 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   whole.MakeOutputs();
   int done = 1;
   this->WaitingRanks = gathering.ranks();
-  gathering.work(
+  const remesh::Status dismissed = gathering.work(
     [&]
     {
       const ObservedExecution observed(this);
       done = this->WorkOnWhole(whole);
     });
   this->WaitingRanks = nullptr;
+  if (done && !dismissed.ok()) // else an error is told already
+  {
+    vtkErrorMacro(<< dismissed.message);
+    remesh::emptyPorts(outputVector);
+    done = 0;
+  }
   done = gathering.finish(done, outputVector, this->DistributeOutputs);
   if (remesh::abortRequested(this))
   {

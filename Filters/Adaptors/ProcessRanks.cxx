@@ -42,7 +42,8 @@ void awaitMessage(vtkMultiProcessController* controller, int from, int tag)
     const auto begin = steady_clock::now();
     for (int arrived = 0; mpi->Iprobe(from, tag, &arrived, nullptr) && !arrived;)
     {
-      // A 32nd late at most: between two orders there may be a millisecond, or an hour.
+      // Late by a 32nd of the wait, and by 20 ms, at most; at each hop from process to process
+      // (RankTree.h) anew. Between two orders there may be a millisecond, or an hour.
       const auto waited = duration_cast<microseconds>(steady_clock::now() - begin);
       std::this_thread::sleep_for(
         std::clamp<microseconds>(waited / 32, microseconds(20), milliseconds(20)));

@@ -178,17 +178,25 @@ Ranks* SurfaceGathering::ranks() const
   return this->Processes.get();
 }
 
-void SurfaceGathering::work(const std::function<void()>& own) const
+Status SurfaceGathering::work(const std::function<void()>& own) const
 {
   if (!this->worksHere())
   {
     workForFirst(*this->Processes);
-    return;
+    return Status::success();
   }
   own();
-  if (this->Processes)
+  try
   {
-    dismissOthers(*this->Processes);
+    if (this->Processes)
+    {
+      dismissOthers(*this->Processes);
+    }
+    return Status::success();
+  }
+  catch (const std::runtime_error& error)
+  {
+    return Status::invalid(error.what());
   }
 }
 

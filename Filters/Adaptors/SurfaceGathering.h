@@ -22,6 +22,8 @@
 #ifndef remesh_SurfaceGathering_h
 #define remesh_SurfaceGathering_h
 
+#include "Support/Status.h"
+
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -68,8 +70,10 @@ public:
 
   /**
    * On the first process, does the work, which must not throw; on the others, what it asks for.
+   *
+   * @return InvalidInput on the first, where another cannot be told that the work is done.
    */
-  void work(const std::function<void()>& own) const;
+  Status work(const std::function<void()>& own) const;
 
   /**
    * Tells the others how the work went, and spreads the outputs: data with cells are cut into

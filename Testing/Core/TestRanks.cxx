@@ -58,7 +58,7 @@ void testSameBits(const EmbeddedSurface& surface, Index numberOfSites)
   CHECK(alone.status.ok());
   for (const int count : { 1, 2, 3, 5 })
   {
-    Post post(count);
+    Post post(count, eachWaits);
     runOnRanks(post, [&](Ranks& ranks) { checkSame(optimize(surface, start, &ranks), alone); });
     CHECK(post.isEmpty());
   }
@@ -194,7 +194,7 @@ void testNoRoom(const EmbeddedSurface& surface)
   const Sites start = sampled(surface, 100, 3);
   for (const int failing : { 1, 3, 5 }) // for a part, sites and later sites
   {
-    Post post(4);
+    Post post(4, eachWaits);
     runOnRanks(
       post,
       [&](Ranks& ranks)
@@ -219,7 +219,7 @@ void testLost(const EmbeddedSurface& surface)
   const Sites start = sampled(surface, 100, 3);
   const auto runWith = [&](const std::function<void(Ranks&, Post&)>& lost)
   {
-    Post post(4);
+    Post post(4, longOnesWait);
     runOnRanks(
       post,
       [&](Ranks& ranks)
@@ -241,6 +241,23 @@ void testLost(const EmbeddedSurface& surface)
         workForFirst(failing);
       });
   }
+}
+
+/** A rank that cannot hand on works on: nothing is left on the way to it. */
+void testLostHearer(const EmbeddedSurface& surface)
+{
+  const Sites start = sampled(surface, 100, 3);
+  Post post(4, longOnesWait);
+  runOnRanks(
+    post,
+    [&](Ranks& ranks)
+    {
+      const Status status = optimize(surface, start, &ranks).status;
+      CHECK(status.code == StatusCode::InvalidInput);
+      CHECK_EQUAL(status.message, "Process 3 cannot be reached.");
+    },
+    [&](Ranks& ranks) { workWithoutLast(ranks); });
+  CHECK(post.isEmpty());
 }
 
 /** A rank makes the neighbour lists that its facets ask for, and those of the sample. */
@@ -324,6 +341,7 @@ int TestRanks(int, char*[])
   testFailure(surface);
   testNoRoom(surface);
   testLost(surface);
+  testLostHearer(surface);
   testCancelled(surface);
   testDivision(surface);
   const EmbeddedSurface fine = embedded(meshOf(icosphere(5)), 6);

@@ -54,11 +54,11 @@ public:
     {
       return false;
     }
+    status = isLost ? status : this->takeAll(order);
     beginAnswer(status, m_answer);
-    if (!isLost)
+    if (status.ok())
     {
-      status = this->takeAll(order);
-      status = status.ok() ? tryTo([&] { return this->follow(order); }) : status;
+      status = tryTo([&] { return this->follow(order); });
     }
     if (!status.ok())
     {
@@ -87,6 +87,7 @@ private:
     if (order != RankOrder::Integrate)
     {
       m_part.reset(); // before there is something else
+      m_answer = Packet();
     }
     if (isForAll(order))
     {

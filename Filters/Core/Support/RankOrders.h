@@ -2,11 +2,16 @@
  * @file RankOrders.h
  * @brief What the first rank asks the others for, and what they answer.
  *
- * An order is a word that is told to all, handed on from rank to rank (RankTree.h); it is so short
- * that there is room for it. What goes with it may be large: a packet for all, handed on likewise,
- * and for each rank a part of its own, from the first rank itself. Each rank takes what is on its
- * way, and answers each order, to the first rank itself, by a status and what was asked for. So
- * whatever fails, no rank waits for ever, and nothing is left on the way.
+ * An order is a word that is told to all, handed on from rank to rank (RankTree.h). What goes with
+ * it may be large: a packet for all, handed on likewise, and for each rank a part of its own, from
+ * the first rank itself. Each rank takes what is on its way, and answers each order, to the first
+ * rank itself, by a status and what was asked for. So where memory is short for a packet or a part,
+ * or where the work fails, no rank waits for ever, and nothing is left on the way.
+ *
+ * A rank that gets no word, as its teller is lost or there is no room even for that, says so and
+ * leaves for good, and so do those that hear from it. What is sent to them after that stays on the
+ * way; where sending waits for the receiver, it must fail once that has left, or the sender waits
+ * for ever.
  */
 #ifndef remesh_RankOrders_h
 #define remesh_RankOrders_h
@@ -46,7 +51,7 @@ void dismissOthers(Ranks& ranks);
 /** Clears an answer, and lets it begin with a status. */
 void beginAnswer(const Status& status, Packet& answer);
 
-/** All ranks but the first, for this one. What they have not been asked for is taken in the end. */
+/** All ranks but the first, for this one. The destructor takes answers that nobody took. */
 class OtherRanks
 {
 public:

@@ -1,6 +1,7 @@
 #include "Support/RankTree.h"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 
 namespace remesh
@@ -48,16 +49,27 @@ void handOn(Ranks& ranks, const Packet& packet)
 Packet hear(Ranks& ranks)
 {
   Packet packet;
+  std::exception_ptr failure;
   try
   {
     packet = ranks.receive(tellerOf(ranks.own()));
   }
   catch (const std::exception&)
   {
-    handOn(ranks, Packet());
-    throw;
+    failure = std::current_exception();
   }
-  handOn(ranks, packet);
+  try
+  {
+    handOn(ranks, packet);
+  }
+  catch (const std::runtime_error&)
+  {
+    // The first finds it out: that rank does not answer. This one has heard, and works on.
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
   return packet;
 }
 }

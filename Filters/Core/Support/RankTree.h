@@ -17,7 +17,8 @@ namespace remesh
 std::vector<int> hearersOf(int rank, int count);
 
 /**
- * Sends a packet to the ranks that hear from this one: of the first rank, to all in the end.
+ * Sends a packet to the ranks that hear from this one. Called by the first rank, it reaches all, as
+ * each hands on what it hears.
  *
  * Where one cannot be reached, the others are told all the same; then it throws runtime_error.
  */
@@ -26,7 +27,8 @@ void handOn(Ranks& ranks, const Packet& packet);
 /**
  * Waits for what the first rank tells all, and hands it on; not for the first rank itself. Throws
  * runtime_error; bad_alloc where there is no room for it, which is lost. Then an empty packet is
- * handed on: no rank waits in vain.
+ * handed on: no rank waits in vain. A rank that it cannot be handed on to is no failure here: the
+ * first gets no answer from that one.
  */
 Packet hear(Ranks& ranks);
 }
