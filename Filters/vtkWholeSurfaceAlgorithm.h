@@ -37,8 +37,8 @@
  * for one piece of it: through vtkMultiProcessController::GetGlobalController() the pieces come to
  * the first process, which does the work on all threads that it has. So the first process takes the
  * memory of the whole surface and the whole work, and one copy of the largest piece. The others
- * wait, but for the iterations of an optimisation: these are divided among all processes, each of
- * which holds its part of the embedded surface, and all sites, as long as they last. And where the
+ * wait, but for the iterations of an optimisation. These are divided among all processes: each
+ * holds its part of the embedded surface, and all sites, as long as they last. And where the
  * distance of mesh and surface is measured after a number of points was asked for, the others
  * measure one way of the two. The surface is that of one process:
  * - ghost cells count once, and points that pieces share are one;
@@ -55,9 +55,9 @@
  *
  * @par Aborting:
  * `AbortExecute`, set by an observer or by another thread, ends an execution within a fraction of a
- * second. All outputs are empty then, which is no error, and the next Update() executes again. Some
- * thirty times a second the thread that executes invokes AbortCheckEvent, whose observers may set
- * it, too.
+ * second; where other processes measure a distance, when the slowest of them has done its part. All
+ * outputs are empty then, which is no error, and the next Update() executes again. Some thirty
+ * times a second the thread that executes invokes AbortCheckEvent, whose observers may set it, too.
  */
 #ifndef vtkWholeSurfaceAlgorithm_h
 #define vtkWholeSurfaceAlgorithm_h

@@ -99,6 +99,7 @@ Status sumPartDistances(Packet& mesh, Packet& part, Packet& answer)
   const std::vector<Point3> points = takePoints(mesh);
   std::vector<Triple> triangles;
   mesh.take(triangles);
+  mesh = Packet(); // makes room for the tree
   Blocks blocks;
   part.take(blocks.length);
   Offset first = 0;

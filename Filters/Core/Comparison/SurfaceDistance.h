@@ -75,11 +75,15 @@ struct TwoSidedDistance
 Status measureOneSidedDistance(const Triangles& from, const TriangleTree& to,
   const DistanceOptions& options, const RunControl& control, OneSidedDistance& distance);
 
-/** Steps 1 and 2 alone: no bound, it is infinite. */
+/**
+ * Steps 1 and 2 alone: the bound of the maximum is infinite.
+ *
+ * @return as measureOneSidedDistance.
+ */
 Status measureSamples(const SampledTriangles& from, const TriangleTree& to,
   const RunControl& control, OneSidedDistance& distance);
 
-/** The same of the sums of all blocks, in their order. */
+/** @return what measureSamples finds, from the sums of all blocks, in their order. */
 OneSidedDistance distanceOf(const std::vector<DistanceSums>& blocks);
 
 /** Steps 1 to 3 both ways; builds the trees. */

@@ -82,8 +82,13 @@ Status measureBoth(const Side& made, const Side& surface, Ranks* ranks, const Ru
     {
       return status;
     }
-    return shares ? takeMeasured(*others, distance.backward)
-                  : measure(surface, made, control, distance.backward);
+    status = shares ? takeMeasured(*others, distance.backward) : status;
+    if (shares && status.code != StatusCode::OutOfMemory)
+    {
+      return status;
+    }
+    // Alone, or the others have no room for it, which is no reason to lose a finished mesh.
+    return measure(surface, made, control, distance.backward);
   }
   catch (const std::runtime_error& error)
   {

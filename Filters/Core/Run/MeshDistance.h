@@ -24,9 +24,10 @@ Triangles trianglesOf(const RemeshResult& result);
  * the mesh or the surface has no area, the distance stays unset.
  *
  * @param ranks share the work if there are several: the first measures how far the mesh is from the
- *        surface, the others how far the surface is from the mesh (SharedDistance.h). nullptr:
- * none.
- * @return Cancelled, success, or what fails on another rank.
+ *        surface, the others how far the surface is from the mesh (SharedDistance.h). Where one of
+ *        these is short of memory, the first measures both. nullptr: there is no other rank.
+ * @return Cancelled, success, or what else fails on another rank. The others cannot be cancelled:
+ *         it returns when all have done their parts.
  * Cost: O(F + T) for two trees of 32 bytes a triangle, of which one is held at a time.
  */
 Status findDistance(
