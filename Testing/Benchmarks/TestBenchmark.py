@@ -90,9 +90,8 @@ def check_ranks(points, triangles, figures, where):
                   *where, stage, ranks)
         for ranks in (2, 4):
             check(value(f"{stage}other_{ranks}") > 0.0, *where, stage, ranks)
-            check(1.0 < value(f"{stage}memory_other_{ranks}") < value(f"{stage}memory_1"), *where,
-                  stage, ranks)
     for ranks in (2, 4):
+        check(1.0 < value(f"memory_other_{ranks}") < value("memory_1"), *where, ranks)
         times = ranks // 2  # ranks that hear it from the first
         check(48 * points <= 1e6 * value(f"sent_{ranks}") / times <= 48 * points + 150, *where,
               value(f"sent_{ranks}"))

@@ -1,6 +1,6 @@
 """TestProcesses.py PLUGIN OUTPUT_FOLDER [MPIEXEC PVBATCH] (python3): any number of processes.
 
-Runs itself by pvbatch on one, two and three processes, with and without --symmetric, and compares
+Runs itself by pvbatch on one, three and four processes, and on two with --symmetric, and compares
 the bytes of all outputs, but times and the ids of the input's cells, which are those of the pieces
 one after the other. Surfaces: a sphere whose source makes pieces, a file that one process reads, a
 contour of an image in pieces, and blocks of both.
@@ -101,7 +101,7 @@ def run_outside(mpiexec, pvbatch):
     write_ply()
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     results = {}
-    for processes, options in ((1, []), (2, []), (3, []), (2, ["--symmetric"])):
+    for processes, options in ((1, []), (3, []), (4, []), (2, ["--symmetric"])):
         found = os.path.join(OUTPUT_FOLDER, f"processes{processes}{''.join(options)}.txt")
         if os.path.exists(found):
             os.remove(found)
