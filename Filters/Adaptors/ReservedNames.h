@@ -20,7 +20,7 @@ namespace remesh
 {
 using Names = std::initializer_list<const char*>;
 
-/** Point arrays of a diagram filter's mesh. */
+/** Point arrays of a diagram filter's mesh. ComputedFields.cxx of the command line has a copy. */
 inline constexpr Names meshPointNames = { "SiteId", "ComponentId", "CellColor", "CellArea",
   "CellMass", "CellEnergy", "CellWeightedMass", "Embedding", "Normals" };
 

@@ -10,6 +10,9 @@
 #include "Mesh/Normals.h"
 #include "Refinement/NormalVariation.h"
 
+#include <algorithm>
+#include <set>
+
 using namespace remesh;
 using namespace remesh::test;
 
@@ -102,20 +105,23 @@ void checkRefined(const SurfaceMesh& before, const RefinedSurface& refined)
   }
 }
 
-/** All ways in which the sides of two facets may be split. */
-void testPatterns()
+/** All ways in which the sides of two facets may be split. @param open facets, or none. */
+void testPatterns(const std::vector<char>& open)
 {
   const SurfaceMesh mesh = meshOf(gridPatch(1, 1));
   const EdgeTable edges = buildEdgeTable(mesh.facetPoints);
   for (unsigned pattern = 0; pattern < 32; ++pattern)
   {
     EdgesToSplit wanted;
+    wanted.open = open;
     for (Index e = 0; e < edges.numberOfEdges(); ++e)
     {
       wanted.lengths.push_back(e == 2 ? 1.5 : 1.0);
       wanted.marked.push_back(static_cast<char>(pattern >> e & 1));
     }
+    const std::vector<char> asked = wanted.marked;
     closeMarks(edges, wanted);
+    CHECK(open != std::vector<char>(2, 1) || wanted.marked == asked);
     RefinedSurface refined = wholeSurface(mesh, nullptr);
     splitEdges(edges, wanted, nullptr, RunControl(), refined);
     Index added = 0;
@@ -172,6 +178,76 @@ void testCriterion()
   refine(shorterThan(0.01), { 200 }, RunControl(), limited);
   CHECK(limited.mesh.numberOfFacets() <= 200);
   checkRefined(mesh, limited);
+}
+
+/** How many points are within the facets before. */
+std::size_t innerPoints(const RefinedSurface& refined)
+{
+  std::set<Index> inner;
+  for (std::size_t f = 0; f < refined.origins.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto& corner = refined.origins[f].corners[k];
+      if (*std::min_element(corner.begin(), corner.end()) > 0.0F)
+      {
+        inner.insert(refined.mesh.facetPoints[f][k]);
+      }
+    }
+  }
+  return inner.size();
+}
+
+/** Sides of the facets before down to half, and all edges within these, which are the longest. */
+void wantSidesAndLongInside(
+  const RefinedSurface& surface, const EdgeTable& edges, EdgesToSplit& wanted)
+{
+  wanted.lengths.resize(static_cast<std::size_t>(edges.numberOfEdges()));
+  wanted.marked.resize(wanted.lengths.size());
+  for (Index e = 0; e < edges.numberOfEdges(); ++e)
+  {
+    const Index* facets = &edges.edgeFacets[edges.edgeFacetsBegin[e]];
+    const bool isInner =
+      edges.valence(e) == 2 && surface.origins[facets[0]].facet == surface.origins[facets[1]].facet;
+    const Triple& points = surface.mesh.facetPoints[facets[0]];
+    const int k = edges.sideOf(facets[0], e);
+    const double length =
+      (surface.mesh.points[points[k]] - surface.mesh.points[points[(k + 1) % 3]]).norm();
+    wanted.lengths[e] = isInner ? 100.0 : 1.02 * length;
+    wanted.marked[e] = wanted.lengths[e] > 0.5;
+  }
+}
+
+/** Edges between pieces of needles wait for the sides, also where there is no room for all. */
+void testNeedles()
+{
+  const SurfaceMesh mesh = meshOf(gridPatch(1, 1));
+  PieceShapes shapes;
+  shapes.energy = [](const FacetOrigin&) { return 1.0; };
+  shapes.enough = 1.0; // nothing is flipped
+  shapes.needle = 0.5; // all are
+  RefinementLimits limits{ 20, 2, &shapes };
+  // Halves of sides are 0.51 long, or 0.72, and inner edges wait: 2, 8, 20 facets.
+  RefinedSurface refined = wholeSurface(mesh, nullptr);
+  CHECK(refine(wantSidesAndLongInside, limits, RunControl(), refined));
+  checkRefined(mesh, refined);
+  CHECK_EQUAL(refined.mesh.numberOfFacets(), 20);
+  CHECK_EQUAL(innerPoints(refined), 0U);
+  // Without room for all sides, the longest of them come first, however long inner edges are.
+  limits.maxFacets = 16;
+  refined = wholeSurface(mesh, nullptr);
+  CHECK(refine(wantSidesAndLongInside, limits, RunControl(), refined));
+  checkRefined(mesh, refined);
+  CHECK_EQUAL(refined.mesh.numberOfFacets(), 12);
+  CHECK_EQUAL(innerPoints(refined), 0U);
+  CHECK_EQUAL(refined.mesh.numberOfPoints(), 9 + 2); // the diagonal has both
+  // By default no facet is a needle: edges within are split with the sides.
+  shapes.needle = PieceShapes().needle;
+  limits = { 1000, 2, &shapes };
+  refined = wholeSurface(mesh, nullptr);
+  CHECK(refine(wantSidesAndLongInside, limits, RunControl(), refined));
+  checkRefined(mesh, refined);
+  CHECK(innerPoints(refined) > 0);
 }
 
 /** Creases go along, and so do apexes; interior edges are none. */
@@ -295,8 +371,12 @@ void testRows()
 
 int TestRefinement(int, char*[])
 {
-  testPatterns();
+  for (const std::vector<char>& open : { std::vector<char>{}, { 1, 0 }, { 0, 1 }, { 1, 1 } })
+  {
+    testPatterns(open);
+  }
   testCriterion();
+  testNeedles();
   testFeatures();
   testNormals();
   testNothing();

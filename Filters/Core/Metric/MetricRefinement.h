@@ -7,11 +7,12 @@
  * 2. Split are those longer than half a unit, and those along which the metric changes by more than
  *    a factor, down to an eighth of a unit.
  * 3. So are the longest sides of facets around them, in the metric, until all fits
- *    (Refinement.h): needles of the metric fall into pieces of good shape, that may be thin in R^3.
- * 4. After each round, edges between needles within a facet are flipped in the metric
+ *    (Refinement.h): facets of up to some 40 : 1 in the metric fall into pieces of good shape, that
+ *    may be thin in R^3.
+ * 4. After each round, edges between thin pieces of a facet are flipped in the metric
  *    (PieceFlips.h). A thin layer across the facets' sides needs far fewer pieces then.
- * 5. Of facets that are needles themselves, the sides are split first (Refinement.h): flips join
- *    the points on them to pieces that are thin across the layer, and few.
+ * 5. Facets that are longer and thinner than that are needles. Their sides are split first
+ *    (Refinement.h): flips join the points on them to pieces thin across the layer, and few.
  */
 #ifndef remesh_MetricRefinement_h
 #define remesh_MetricRefinement_h
@@ -23,7 +24,7 @@ namespace remesh
 {
 /**
  * @param unit a length in the metric, above 0: what an edge of the mesh will have.
- * @param maxFacets that the surface may come to have; the longest edges come first.
+ * @param maxFacets that the surface may come to have; the longest edges come first (Refinement.h).
  * @param refined receives the surface, where any facet is split.
  * @param refinedMetric receives its metric then: at the old points as it was.
  * @return whether any facet is split. O(F) for each of up to 24 rounds.

@@ -22,6 +22,7 @@
 #include "Support/RunControl.h"
 
 #include <functional>
+#include <limits>
 
 namespace remesh
 {
@@ -33,7 +34,7 @@ struct PieceShapes
   /** Edges between two pieces that both have no more energy than that are left alone. */
   double enough = 0.0;
   /** A facet with more energy than that is a needle: see RefinementLimits. */
-  double needle = 0.0;
+  double needle = std::numeric_limits<double>::infinity();
 };
 
 /** Pieces of facets; those of each are one after the other. */

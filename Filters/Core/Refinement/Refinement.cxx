@@ -61,14 +61,17 @@ bool isWithinFacet(const RefinedSurface& surface, const EdgeTable& edges, Index 
 void splitSidesFirst(const RefinedSurface& surface, const EdgeTable& edges,
   const std::vector<char>& needles, EdgesToSplit& wanted)
 {
-  std::vector<char> waits(needles.size(), 0);
   wanted.open.resize(surface.origins.size());
+  for (std::size_t f = 0; f < surface.origins.size(); ++f)
+  {
+    wanted.open[f] = needles[surface.origins[f].facet];
+  }
+  std::vector<char> waits(needles.size(), 0);
   const auto forEachMark = [&](const auto& visit)
   {
     for (std::size_t f = 0; f < surface.origins.size(); ++f)
     {
       const Index given = surface.origins[f].facet;
-      wanted.open[f] = needles[given];
       for (int k = 0; k < 3 && needles[given]; ++k)
       {
         const Index edge = edges.facetEdges[f][k];

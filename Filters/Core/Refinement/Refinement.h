@@ -25,7 +25,7 @@ struct RefinementLimits
   int maxRounds = maxSplits; ///< each halves the edges that are too long
   /**
    * If any: pieces are flipped for it after each round. Of facets that are needles by it, the sides
-   * are split first, and nothing else with them.
+   * are split first, and nothing else with them: edges between their pieces wait.
    */
   const PieceShapes* shapes = nullptr;
 };
@@ -33,10 +33,11 @@ struct RefinementLimits
 /**
  * Splits edges, and the facets at them, until the criterion wants no more of them: conforming, as
  * each is split for all facets around it, and the geometry stays as it is. Where there is no room
- * for all that it wants, the longest edges come first.
+ * for all that it wants, the longest edges come first, of those that do not wait.
  *
- * To halve longest sides keeps shapes: of a needle k times as long as wide it makes pieces all over
- * its inside, log2 k times as many as the points on its sides need once pieces may be flipped.
+ * To halve longest sides keeps shapes: of a needle it makes pieces all over its inside. They are
+ * eight times as many as those between points on its sides, or two times where pieces are flipped
+ * (TestMetricLimits.cxx).
  *
  * @param surface of which nothing is split yet (`wholeSurface`).
  * @param control when it cancels, the surface is of no use.
