@@ -9,6 +9,7 @@
 
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkXMLPolyDataReader.h>
 
 #include <unistd.h>
 
@@ -207,6 +208,17 @@ Figures metricRun(const MetricRun& metric, const Settings& settings)
     });
 }
 
+namespace
+{
+double pointsIn(const std::string& mesh)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(mesh.c_str());
+  reader->Update();
+  return static_cast<double>(reader->GetOutput()->GetNumberOfPoints());
+}
+}
+
 Figures programRun(const Surface& surface, Offset points, const std::vector<std::string>& options,
   const Settings& settings)
 {
@@ -217,7 +229,8 @@ Figures programRun(const Surface& surface, Offset points, const std::vector<std:
     input = folder.file(std::string("surface") + extensionFor(surface.data));
     writeSurface(surface.data, input);
   }
-  std::vector<std::string> command = { settings.program, input, folder.file("mesh.vtp"), "--points",
+  const std::string output = folder.file("mesh.vtp");
+  std::vector<std::string> command = { settings.program, input, output, "--points",
     std::to_string(points), "--anisotropy", std::to_string(anisotropy), "--lloyd",
     std::to_string(settings.lloydIterations), "--newton", std::to_string(settings.newtonIterations),
     "--threads", std::to_string(settings.threads), "--quiet" };
@@ -229,6 +242,8 @@ Figures programRun(const Surface& surface, Offset points, const std::vector<std:
       Figures figures;
       addTimes(figures, "", cost.elapsed);
       figures.push_back({ "memory", cost.megabytes, "MB" });
+      figures.push_back(
+        { "points_over_asked", pointsIn(output) / static_cast<double>(points), "1" });
       return figures;
     });
 }
