@@ -177,6 +177,7 @@ const std::vector<Case>& allCases()
     runCase("86k-10k", false, 1e4),
     runCase("86k-100k", false, 1e5),
     runCase("1.4M-1M", true, 1e6),
+    programCase("few-86k-100", "a run with too few points for the shape", false, 100, {}),
     { "energy-86k-10k", "how far from converged a default run ends", measureEnergy },
     { "exact-86k-10k", "what exact decisions cost over their filters alone", measureExactness },
     { "shell-40k-100", "the filter on two sheets, far closer than the points", measureShell },

@@ -65,6 +65,8 @@ def check_measurement(case, one):
         most = 0.2 if case["name"].startswith("metric_unit-") else 0.01
         share = figures["points_over_asked"]["value"]
         check(abs(share - 1.0) < most, *where, share)
+    if case["name"].startswith("few-"):
+        check(figures["processor"]["value"] > 0.0 and one["points"] == 20, *where)
     if case["name"].startswith("wide-"):
         check(figures["memory_multiple"]["value"] > 1.0 and one["dimension"] == 5000, *where)
     if case["name"].startswith(("metric-", "metric_bent-")):

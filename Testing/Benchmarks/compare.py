@@ -164,7 +164,7 @@ def markdown(path):
     lines = ["| | triangles | points | processor s | ratio | |", "|---|--:|--:|--:|--:|---|"]
     for case in result["cases"]:
         kind = case["name"].split("-")[0]
-        if kind in ("evaluation", "plain", "run", "wide", "metric", "metric_bent",
+        if kind in ("evaluation", "plain", "run", "few", "wide", "metric", "metric_bent",
                     "metric_run", "metric_unit"):
             lines += [row(kind.replace("_", ", "), one) for one in case["measurements"]]
     calibration = result["calibration"]

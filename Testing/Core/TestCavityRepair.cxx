@@ -29,7 +29,7 @@ struct Fixture
   std::vector<FeatureSegment> features;
   PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, fixed, &features };
-  NearbySurface near{ problem };
+  NearbySurface near{ problem, RunControl() };
 
   std::vector<Index> flipped(
     const std::vector<Triple>& triangles, const std::vector<Point3>& positions) const
@@ -241,7 +241,7 @@ void testStrays()
     both.inputCells.push_back(static_cast<Offset>(both.inputCells.size()));
     const SurfaceMesh sheets = test::meshOf(both);
     const WholeSurface whole(sheets);
-    const NearbySurface near(fixture.problem, 0.0, &whole);
+    const NearbySurface near(NearbySurface(fixture.problem, RunControl()), whole);
     RepairedMesh mesh(fixture.problem, near, positions, triangles, positions);
     const RepairContext context{ fixture.problem, positions, RunControl(), true, strayCost };
     MeshEdits repair;

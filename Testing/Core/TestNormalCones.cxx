@@ -75,8 +75,8 @@ void checkSearch(const PlacementProblem& problem)
     {
       positions[v] += noise * test::randomPoint(1, v);
     }
-    for (const NearbySurface& surface :
-      { NearbySurface(problem), NearbySurface(problem, minHeight(problem.mesh)) })
+    for (const NearbySurface& surface : { NearbySurface(problem, RunControl()),
+           NearbySurface(problem, RunControl(), minHeight(problem.mesh)) })
     {
       std::vector<Index> expected, found;
       for (std::size_t t = 0; t < problem.triangles.size(); ++t)

@@ -300,7 +300,7 @@ void testCoincidentSheets()
   const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, none };
   const WholeSurface whole(mesh);
-  const NearbySurface nearby(problem, 0.0, &whole);
+  const NearbySurface nearby(NearbySurface(problem, RunControl()), whole);
   Offset strays = 0;
   for (const Triple& triangle : result.dual.triangles)
   {

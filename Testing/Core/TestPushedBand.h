@@ -66,7 +66,7 @@ struct PushedBand
   std::vector<char> fixed = std::vector<char>(sound.size(), 0);
   PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, fixed };
-  NearbySurface near{ problem };
+  NearbySurface near{ problem, RunControl() };
   std::vector<Triple> triangles = result.dual.triangles; ///< of the mesh that is repaired
   PlacedVertices placed = result.placement;
 

@@ -45,7 +45,7 @@ struct Fixture
   std::vector<char> fixed = std::vector<char>(result.placement.positions.size(), 0);
   PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, fixed };
-  NearbySurface near{ problem };
+  NearbySurface near{ problem, RunControl() };
 
   std::vector<Index> flipped(const std::vector<Point3>& positions) const
   {
@@ -237,7 +237,7 @@ void testFlat()
   const Fixture fixture;
   const Triple& triangle = fixture.result.dual.triangles.front();
   Corners corners = cornersOf(triangle, fixture.result.placement.positions);
-  const NearbySurface strict(fixture.problem, minHeight(fixture.mesh));
+  const NearbySurface strict(fixture.problem, RunControl(), minHeight(fixture.mesh));
   CHECK(!strict.isInverted(triangle, corners));
   const Point3 height = corners[2] - 0.5 * (corners[0] + corners[1]);
   for (const double share : { 1e-3, 1e-8 })

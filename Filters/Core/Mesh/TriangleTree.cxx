@@ -12,9 +12,6 @@ namespace remesh
 {
 namespace
 {
-constexpr int laneBits = 3;
-static_assert(1 << laneBits == lanes);
-
 /** Those with an area, along a Hilbert curve; none when cancelled. */
 std::vector<Index> orderTriangles(const Triangles& surface, const RunControl& control)
 {
@@ -52,51 +49,11 @@ std::vector<Index> orderTriangles(const Triangles& surface, const RunControl& co
 TriangleTree::TriangleTree(const Triangles& surface, const RunControl& control)
   : m_surface(surface)
   , m_ids(orderTriangles(surface, control.silent()))
-{
-  if (m_ids.empty())
-  {
-    return;
-  }
-  Offset nodes = this->leaves();
-  do
-  {
-    nodes = (nodes + lanes - 1) / lanes;
-    m_levels.emplace_back(static_cast<std::size_t>(nodes));
-  } while (this->findBoxes(static_cast<int>(m_levels.size()) - 1, control.silent()) && nodes > 1);
-}
-
-namespace
-{
-/** The box around all boxes of a group. */
-void findBox(const BoxGroup& boxes, Point3& lower, Point3& upper)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    lower[axis] = *std::min_element(boxes.lower[axis], boxes.lower[axis] + lanes);
-    upper[axis] = *std::max_element(boxes.upper[axis], boxes.upper[axis] + lanes);
-  }
-}
-}
-
-bool TriangleTree::findBoxes(int level, const RunControl& control)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<BoxGroup>* const below = level > 0 ? &m_levels[level - 1] : nullptr;
-  const auto end = static_cast<Offset>(below ? below->size() : m_ids.size());
-  return forEachItem(static_cast<Offset>(m_levels[level].size()), control,
-    [&](Offset node)
-    {
-      BoxGroup& boxes = m_levels[level][node];
-      for (int child = 0; child < lanes; ++child)
+  , m_boxes(this->leaves(), control.silent(),
+      [this](Index leaf, Point3& lower, Point3& upper)
       {
-        Point3 lower = Point3::Constant(infinity);
-        Point3 upper = -lower;
-        if (below && node * lanes + child < end)
-        {
-          findBox((*below)[node * lanes + child], lower, upper);
-        }
-        const Offset first = below ? end : (node * lanes + child) * leafSize;
-        for (Offset slot = first; slot < std::min(first + leafSize, end); ++slot)
+        const Index end = std::min<Index>((leaf + 1) * leafSize, this->size());
+        for (Index slot = leaf * leafSize; slot < end; ++slot)
         {
           for (const Point3& corner : this->cornersOf(slot))
           {
@@ -104,32 +61,27 @@ bool TriangleTree::findBoxes(int level, const RunControl& control)
             upper = upper.cwiseMax(corner);
           }
         }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          boxes.lower[axis][child] = lower[axis];
-          boxes.upper[axis][child] = upper[axis];
-        }
-      }
-    });
+      })
+{
 }
 
 /** The groups, from this one on, whose boxes meet this one's; in the tree's order. */
 void TriangleTree::findGroups(Index group, std::vector<Index>& groups) const
 {
-  Point3 lower;
-  Point3 upper;
-  findBox(m_levels.front()[group], lower, upper);
+  Point3 lower = Point3::Constant(std::numeric_limits<double>::infinity());
+  Point3 upper = -lower;
+  BoxTree::widen(m_boxes.node(0, group), lower, upper);
   // Level by level, from the root, those nodes that have any such group.
   groups.assign(1, 0);
   std::vector<Index> children;
-  for (auto level = static_cast<int>(m_levels.size()) - 1; level > 0; --level)
+  for (int level = m_boxes.levels() - 1; level > 0; --level)
   {
-    const Index first = group >> (laneBits * (level - 1));
+    const Index first = BoxTree::ancestor(group, level - 1);
     children.clear();
     for (const Index node : groups)
     {
-      for (unsigned bits = m_meet({ m_levels[level][node], lower.data(), upper.data() }); bits != 0;
-           bits &= bits - 1)
+      for (unsigned bits = m_meet({ m_boxes.node(level, node), lower.data(), upper.data() });
+           bits != 0; bits &= bits - 1)
       {
         const Index child = node * lanes + __builtin_ctz(bits);
         if (child >= first)
@@ -150,44 +102,15 @@ void TriangleTree::visitLeaves(
   {
     return;
   }
-  Pending pending[(lanes - 1) * maxLevels + 1];
-  int size = 0;
-  pending[size++] = { 0.0, 0, static_cast<int>(m_levels.size()) - 1 };
-  while (size > 0)
-  {
-    const Pending node = pending[--size];
-    if (!reaches(node.squared))
+  m_boxes.visitLeaves(0, this->leaves() - 1, point, reaches,
+    [&](Index leaf)
     {
-      continue;
-    }
-    if (node.level < 0)
-    {
-      const Index begin = node.id * leafSize;
-      const auto end = std::min<Index>(begin + leafSize, static_cast<Index>(m_ids.size()));
-      for (Index slot = begin; slot < end; ++slot)
+      const Index end = std::min<Index>((leaf + 1) * leafSize, this->size());
+      for (Index slot = leaf * leafSize; slot < end; ++slot)
       {
         visit(slot);
       }
-      continue;
-    }
-    double squared[lanes];
-    m_distances({ m_levels[node.level][node.id], point.data(), squared });
-    const int bottom = size;
-    const auto children =
-      node.level > 0 ? static_cast<Index>(m_levels[node.level - 1].size()) : this->leaves();
-    for (int k = 0; k < std::min<Index>(lanes, children - node.id * lanes); ++k)
-    {
-      if (reaches(squared[k]))
-      {
-        int at = size++;
-        for (; at > bottom && pending[at - 1].squared < squared[k]; --at)
-        {
-          pending[at] = pending[at - 1];
-        }
-        pending[at] = { squared[k], node.id * lanes + k, node.level - 1 };
-      }
-    }
-  }
+    });
 }
 
 void TriangleTree::findWithin(const Point3& point, double distance, std::vector<Index>& slots) const
@@ -294,7 +217,7 @@ void TriangleTree::takeCloser(Index slot, Packet& packet) const
 int TriangleTree::pushChildren(const Packet& packet, const Point3 (&box)[2], const Pending& node,
   Pending* pending, int size) const
 {
-  const BoxGroup& boxes = m_levels[node.level][node.id];
+  const BoxGroup& boxes = m_boxes.node(node.level, node.id);
   double squared[lanes];
   m_packetGroup({ boxes, box[0], box[1], squared });
   const double farthest = packet.points.farthest();
@@ -310,12 +233,8 @@ int TriangleTree::pushChildren(const Packet& packet, const Point3 (&box)[2], con
     {
       continue;
     }
-    int at = size++;
-    for (; at > bottom && pending[at - 1].squared < squared[k]; --at)
-    {
-      pending[at] = pending[at - 1];
-    }
-    pending[at] = { squared[k], node.id * lanes + k, node.level - 1 };
+    size =
+      BoxTree::insert({ squared[k], node.id * lanes + k, node.level - 1 }, bottom, pending, size);
   }
   return size;
 }
@@ -338,7 +257,7 @@ std::array<Index, lanes> TriangleTree::takeHints(Packet& packet) const
 
 bool TriangleTree::isInReach(const Packet& packet, const Pending& node) const
 {
-  const BoxGroup& boxes = m_levels[node.level + 1][node.id / lanes];
+  const BoxGroup& boxes = m_boxes.node(node.level + 1, node.id / lanes);
   return m_packetBox({ packet.points, boxes, node.id % lanes }) !=
     std::numeric_limits<double>::infinity();
 }
@@ -352,11 +271,11 @@ void TriangleTree::findClosest(Packet& packet) const
     box[0] = box[0].cwiseMin(packet.points.at(lane));
     box[1] = box[1].cwiseMax(packet.points.at(lane));
   }
-  Pending pending[(lanes - 1) * maxLevels + 1];
+  Pending pending[BoxTree::maxPending];
   int size = 0;
   if (!this->empty())
   {
-    pending[size++] = { 0.0, 0, static_cast<int>(m_levels.size()) - 1 };
+    pending[size++] = m_boxes.root();
   }
   bool isKnownInReach = true; // the last on the stack
   while (size > 0)

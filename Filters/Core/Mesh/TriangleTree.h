@@ -2,14 +2,14 @@
  * @file TriangleTree.h
  * @brief The closest point of a whole surface to a point of R^3, and triangles that may meet.
  *
- * A tree of bounding boxes, eight to a node, over the triangles in the order of a Hilbert curve.
+ * A tree of bounding boxes (BoxTree.h) over the triangles in the order of a Hilbert curve.
  * Not a locator of VTK's: those sort with the back-end at hand, and which of two triangles that
  * share the closest point they find then depends on it.
  */
 #ifndef remesh_TriangleTree_h
 #define remesh_TriangleTree_h
 
-#include "Mesh/BoxDistances.h"
+#include "Mesh/BoxTree.h"
 #include "Mesh/ClosestPoint.h"
 #include "Mesh/PointPacket.h"
 #include "Support/RunControl.h"
@@ -107,10 +107,7 @@ public:
   void findWithin(const Point3& point, double distance, std::vector<Index>& slots) const;
 
   /** The triangles are in so many groups of neighbours. */
-  Index numberOfGroups() const
-  {
-    return m_levels.empty() ? 0 : static_cast<Index>(m_levels.front().size());
-  }
+  Index numberOfGroups() const { return m_boxes.empty() ? 0 : m_boxes.nodes(0); }
 
   /**
    * Calls `visit(slot, other)` for the triangles of a group and all later ones in the tree that
@@ -131,7 +128,7 @@ public:
       const Point3 upper = a.cwiseMax(b).cwiseMax(c);
       for (const Index near : groups)
       {
-        unsigned leaves = m_meet({ m_levels.front()[near], lower.data(), upper.data() });
+        unsigned leaves = m_meet({ m_boxes.node(0, near), lower.data(), upper.data() });
         for (; leaves != 0; leaves &= leaves - 1)
         {
           const Index first = near * groupSize + __builtin_ctz(leaves) * leafSize;
@@ -159,24 +156,12 @@ public:
 private:
   static constexpr Index leafSize = 2;
   static constexpr Index groupSize = lanes * leafSize;
-  static constexpr int maxLevels = 11; ///< more than any number of leaves needs
-
-  /** A node or a leaf that is still to be looked into. */
-  struct Pending
-  {
-    double squared; ///< distance of its box
-    Index id;       ///< on its level
-    int level;      ///< -1: a leaf
-  };
+  using Pending = BoxTree::Pending;
 
   Index leaves() const { return static_cast<Index>((m_ids.size() + leafSize - 1) / leafSize); }
-  bool findBoxes(int level, const RunControl& control);
   void findGroups(Index group, std::vector<Index>& groups) const;
 
-  /**
-   * Calls `visit(slot)` for the triangles of all leaves that are in reach: `reaches` tells that of
-   * the squared distance of a box, and may get stricter on the way. The nearest first, as a rule.
-   */
+  /** Calls `visit(slot)` for the triangles of all leaves that are in reach (BoxTree.h). */
   template <class Reaches, class Visit>
   void visitLeaves(const Point3& point, const Reaches& reaches, const Visit& visit) const;
 
@@ -191,10 +176,7 @@ private:
 
   Triangles m_surface;
   std::vector<Index> m_ids; ///< S, the caller's triangles
-  /** Of each level, the boxes of its nodes' children: of leaves on the first, one node on the last.
-   */
-  std::vector<std::vector<BoxGroup>> m_levels;
-  BoxDistanceEvaluation m_distances = boxDistanceEvaluation(widestInstructionSet());
+  BoxTree m_boxes;
   BoxMeetingEvaluation m_meet = boxMeetingEvaluation(widestInstructionSet());
   PacketGroupEvaluation m_packetGroup = packetGroupEvaluation(widestInstructionSet());
   PacketBoxEvaluation m_packetBox = packetBoxEvaluation(widestInstructionSet());

@@ -58,7 +58,7 @@ Point3 lastWithin(
 bool boundDistances(const FitTask& task, const std::vector<Point3>& start, const FitErrors& errors,
   const RunControl& control, std::vector<Point3>& positions)
 {
-  const NearbySurface surface(task.problem);
+  const NearbySurface surface(task.problem, control);
   const double mean = errors.mean();
   return forEachItem(static_cast<Offset>(positions.size()), control.silent(),
     [&](Offset item)

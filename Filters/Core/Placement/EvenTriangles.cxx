@@ -60,7 +60,7 @@ public:
     std::vector<SurfaceLocation>& locations)
     : m_problem(problem)
     , m_control(control)
-    , m_surface(problem)
+    , m_surface(problem, control)
     , m_stars(problem.triangles, problem.numberOfVertices())
     , m_locations(locations)
   {

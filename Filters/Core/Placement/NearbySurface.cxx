@@ -11,28 +11,67 @@ namespace remesh
 {
 namespace
 {
+constexpr Offset fewPieces = 64;  // of a cell: all are looked at
+constexpr double rounding = 1e-9; // of squared distances, which must not rule out what is as close
+
 Point3 centroidOf(const std::array<Point3, 3>& corners)
 {
   return (corners[0] + corners[1] + corners[2]) / 3.0;
 }
+
+/** At least the distance from each facet's first point to the others. */
+std::vector<float> findReaches(const SurfaceMesh& mesh, const RunControl& control)
+{
+  using Limits = std::numeric_limits<float>;
+  std::vector<float> reaches(mesh.facetPoints.size());
+  const bool done = forEachItem(static_cast<Offset>(reaches.size()), control,
+    [&](Offset f)
+    {
+      const auto& [a, b, c] = mesh.facetPoints[f];
+      const Point3& first = mesh.points[a];
+      const double reach = std::sqrt(
+        std::max((mesh.points[b] - first).squaredNorm(), (mesh.points[c] - first).squaredNorm()));
+      reaches[f] = std::nextafter(
+        static_cast<float>(std::min<double>(reach, Limits::max())), Limits::infinity());
+    });
+  return done ? reaches : std::vector<float>(reaches.size(), 0.0F);
+}
+
+/** Boxes of runs of pieces, as they are grouped by components. */
+BoxTree findBoxes(const PlacementProblem& problem, Index runLength, const RunControl& control)
+{
+  const std::vector<Index>& pieces = problem.components.pieces;
+  const auto count = static_cast<Offset>(pieces.size());
+  return BoxTree(static_cast<Index>((count + runLength - 1) / runLength), control,
+    [&](Index run, Point3& lower, Point3& upper)
+    {
+      const Offset begin = static_cast<Offset>(run) * runLength;
+      for (Offset p = begin; p < std::min(begin + runLength, count); ++p)
+      {
+        const Index facet = problem.diagram.facets[pieces[p]];
+        for (int k = 0; k < 3; ++k)
+        {
+          lower = lower.cwiseMin(problem.facetPoint(facet, k));
+          upper = upper.cwiseMax(problem.facetPoint(facet, k));
+        }
+      }
+    });
+}
 }
 
 NearbySurface::NearbySurface(
-  const PlacementProblem& problem, double minHeight, const WholeSurface* whole)
+  const PlacementProblem& problem, const RunControl& control, double minHeight)
   : m_problem(problem)
   , m_leastHeight(minHeight)
-  , m_whole(whole)
-  , m_reach(problem.mesh.facetPoints.size())
+  , m_bounds(std::make_shared<const Bounds>(Bounds{ findReaches(problem.mesh, control.silent()),
+      findBoxes(problem, leafSize, control.silent()) }))
 {
-  for (Index f = 0; f < problem.mesh.numberOfFacets(); ++f)
-  {
-    const Point3& first = problem.facetPoint(f, 0);
-    const double reach = std::sqrt(std::max((problem.facetPoint(f, 1) - first).squaredNorm(),
-      (problem.facetPoint(f, 2) - first).squaredNorm()));
-    using Limits = std::numeric_limits<float>;
-    m_reach[f] = std::nextafter(
-      static_cast<float>(std::min<double>(reach, Limits::max())), Limits::infinity());
-  }
+}
+
+NearbySurface::NearbySurface(const NearbySurface& own, const WholeSurface& whole)
+  : NearbySurface(own)
+{
+  m_whole = &whole;
 }
 
 SurfaceLocation NearbySurface::closest(
@@ -42,14 +81,13 @@ SurfaceLocation NearbySurface::closest(
   SurfaceLocation location{ noIndex, { 0.0, 0.0, 0.0 } };
   double nearest2 = std::numeric_limits<double>::infinity();
   double nearest = nearest2;
-  for (const Index* component = begin; component != end; ++component)
+  const auto lookAt = [&](Offset first, Offset last)
   {
-    for (Offset p = components.pieceBegin[*component]; p < components.pieceBegin[*component + 1];
-         ++p)
+    for (Offset p = first; p < last; ++p)
     {
       const Index facet = m_problem.diagram.facets[components.pieces[p]];
       const Point3& a = m_problem.facetPoint(facet, 0);
-      const double bound = nearest + m_reach[facet];
+      const double bound = nearest + m_bounds->reach[facet];
       if ((a - point).squaredNorm() > bound * bound)
       {
         continue;
@@ -64,6 +102,24 @@ SurfaceLocation NearbySurface::closest(
         std::copy_n(found.b, 3, location.b);
       }
     }
+  };
+  for (const Index* component = begin; component != end; ++component)
+  {
+    const Offset first = components.pieceBegin[*component];
+    const Offset last = components.pieceBegin[*component + 1];
+    if (last - first <= fewPieces)
+    {
+      lookAt(first, last);
+      continue;
+    }
+    m_bounds->boxes.visitLeaves(
+      static_cast<Index>(first / leafSize), static_cast<Index>((last - 1) / leafSize), point,
+      [&](double squared) { return squared <= (1.0 + rounding) * nearest2; },
+      [&](Index leaf)
+      {
+        const Offset at = static_cast<Offset>(leaf) * leafSize;
+        lookAt(std::max(first, at), std::min(last, at + leafSize));
+      });
   }
   return location;
 }

@@ -57,7 +57,7 @@ WrongTriangles findWrongTriangles(
   const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
     result.components, result.dual.triangles, fixed, &result.seams.segments };
   const std::vector<Point3>& centroids = problem.components.centroids;
-  const NearbySurface own(problem);
+  const NearbySurface own(problem, control);
   InvertedSearch ownSearch(own);
   std::vector<Index> inverted;
   std::vector<char> suspects;
@@ -73,7 +73,7 @@ WrongTriangles findWrongTriangles(
   {
     return {};
   }
-  const NearbySurface surface(problem, 0.0, &whole);
+  const NearbySurface surface(own, whole);
   InvertedSearch search(surface);
   std::vector<Index> wrong;
   status = search.find(problem.triangles, centroids, control, wrong, &suspects);

@@ -101,7 +101,7 @@ Status PlacedCandidate::findPairs(const RunControl& control)
 /** From now on triangles are wrong, too, that face against other parts of the surface. */
 void PlacedCandidate::lookAtWhole()
 {
-  m_whole.emplace(m_task.problem, minHeight(m_task.problem.mesh), &m_task.whole);
+  m_whole.emplace(m_task.own, m_task.whole);
   m_search.emplace(*m_whole);
 }
 

@@ -121,7 +121,7 @@ Status repairPlacedMesh(const PlacementProblem& problem, VertexPlacement way,
   {
     made.emplace(problem.mesh, silent);
   }
-  const NearbySurface own(problem, minHeight(problem.mesh));
+  const NearbySurface own(problem, control, minHeight(problem.mesh));
   const WholeSurface& whole = problem.whole ? *problem.whole : *made;
   if (Status status = improve({ problem, own, whole, onSurface, start, silent }, triangles, placed);
       !status.ok())

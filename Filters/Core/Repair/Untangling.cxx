@@ -75,10 +75,17 @@ public:
 
   Offset numberOfVertices() const { return static_cast<Offset>(m_vertices.size()); }
 
-  Offset countInverted() const
+  /** Looks first at the triangle that was inverted last time. */
+  bool hasInverted()
   {
-    return std::count_if(m_triangles.begin(), m_triangles.end(),
-      [&](Index t) { return m_mesh.isInverted(m_mesh.triangles()[t]); });
+    const auto isInverted = [&](Index t) { return m_mesh.isInverted(m_mesh.triangles()[t]); };
+    if (m_inverted != noIndex && isInverted(m_inverted))
+    {
+      return true;
+    }
+    const auto found = std::find_if(m_triangles.begin(), m_triangles.end(), isInverted);
+    m_inverted = found == m_triangles.end() ? noIndex : *found;
+    return m_inverted != noIndex;
   }
 
   /** An integral of squared distances that is as good as none. */
@@ -213,6 +220,7 @@ private:
   std::vector<Index> m_triangles;
   std::vector<std::vector<Index>> m_stars; ///< of the vertices; into `m_triangles`
   std::vector<Point3> m_normals;           ///< of the surface
+  Index m_inverted = noIndex;              ///< of the triangles, one that was so last time
   double m_wanted = 0.0;
   std::vector<Point3> m_starts;  ///< of the vertices
   std::vector<Point3> m_offsets; ///< of those from the surface
@@ -235,7 +243,7 @@ Offset untangle(const NearbySurface& surface, Index triangle, int rings, const R
     {
       patch.sweep();
     }
-    if (patch.countInverted() == 0)
+    if (!patch.hasInverted())
     {
       const Offset moved = patch.comeBack();
       if (patch.error() <= error)
