@@ -37,6 +37,7 @@ struct Options
   int MaximumExtraPoints = -2; // one percent of the points; -1: unlimited
   int LloydIterations = 5;
   int NewtonIterations = 30;
+  double EnergyTolerance = 5e-6;
   int Seed = 0;
   int Threads = 0; // 0: as many as the back-end offers
   std::string Backend = "automatic";

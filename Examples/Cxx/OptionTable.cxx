@@ -206,6 +206,10 @@ void OptionTable::AddOptimization()
     Whole(&Options::LloydIterations, 0, 100000));
   this->Add("--newton", "K", "Quasi-Newton iterations after them, 0 to 100000. Default 30.",
     Whole(&Options::NewtonIterations, 0, 100000));
+  this->Add("--energy-tolerance", "T",
+    "They end where one lowers the energy by at most this fraction of it, 0 to 1. Default 5e-06: "
+    "after some 60 to 160. 0: where it cannot be lowered any more.",
+    Real(&Options::EnergyTolerance, 0.0, 1.0));
   this->Add("--seed", "I", "Seed of the random numbers. Default 0.",
     Whole(&Options::Seed, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
   this->AddChoice("--sampling", "M", &Options::Sampling, { "random", "stratified" },

@@ -143,6 +143,7 @@ void SetRemeshing(vtkAnisotropicRemesher* remesher, const Options& options)
   }
   remesher->SetNumberOfLloydIterations(options.LloydIterations);
   remesher->SetNumberOfNewtonIterations(options.NewtonIterations);
+  remesher->SetEnergyTolerance(options.EnergyTolerance);
   remesher->SetSeed(options.Seed);
   remesher->SetSamplingMethod(options.Sampling == "random" ? vtkAnisotropicRemesher::RANDOM
                                                            : vtkAnisotropicRemesher::STRATIFIED);

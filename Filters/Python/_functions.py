@@ -98,7 +98,7 @@ def remesh(
     newton_iterations: int = 30,
     history_length: int = 7,
     gradient_tolerance: float = 0.0,
-    energy_tolerance: float = 0.0,
+    energy_tolerance: float = 5e-6,
     threads: int = 0,
     backend: str = "automatic",
     # what comes out
@@ -179,8 +179,11 @@ def remesh(
         The first sites. Same input, arguments and seed give the same mesh.
     lloyd_iterations, newton_iterations : int, 0 to 100000
         Steps of the optimiser, default 5 and 30.
-    history_length, gradient_tolerance, energy_tolerance : int, 1 to 100; float, 0 to 1; the same
-        The quasi-Newton method's memory (7), and when it ends early (0, 0: never).
+    history_length : int, 1 to 100
+        How many steps the quasi-Newton method remembers, default 7.
+    gradient_tolerance, energy_tolerance : float, 0 to 1
+        It ends where the gradient is this fraction of the first one (default 0: never), or where a
+        step lowers the energy by at most this fraction (default 5e-6; 0: by nothing).
     threads, backend : int, 0 to 1024; "automatic", "sequential", "stdthread" or "tbb"
         0: all. The mesh does not depend on it.
     cells, edges, measure_distance : bool

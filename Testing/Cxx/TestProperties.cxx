@@ -206,7 +206,7 @@ void testRemesher()
   CHECK_EQUAL(filter->GetSeed(), 0);
   CHECK_EQUAL(filter->GetHistoryLength(), 7);
   CHECK_EQUAL(filter->GetGradientTolerance(), 0.0);
-  CHECK_EQUAL(filter->GetEnergyTolerance(), 0.0);
+  CHECK_EQUAL(filter->GetEnergyTolerance(), 5e-6);
   CHECK_EQUAL(filter->GetNumberOfLloydIterations(), 5);
   CHECK_EQUAL(filter->GetNumberOfNewtonIterations(), 30);
   CHECK_EQUAL(filter->GetDistanceTolerance(), 0.0);

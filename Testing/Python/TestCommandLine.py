@@ -102,15 +102,16 @@ class TestUsage(CommandLineTest):
         self.succeed(self.input(), "out.vtp", "--initial-sites", "s.vtp", "--report", "r.json")
         used = load(self.path("r.json"))["parameters"]
         for name in ("points", "tolerance", "max-points", "anisotropy", "feature-angle",
-                     "max-extra-points", "lloyd", "newton", "seed", "sampling", "threads",
-                     "backend", "normal-smoothing", "merge-tolerance", "placement", "error-norm",
-                     "min-size", "max-size", "eigenfunction-scaling", "diffusion-time"):
+                     "max-extra-points", "lloyd", "newton", "energy-tolerance", "seed",
+                     "sampling", "threads", "backend", "normal-smoothing", "merge-tolerance",
+                     "placement", "error-norm", "min-size", "max-size", "eigenfunction-scaling",
+                     "diffusion-time"):
             with self.subTest(name=name):
                 value = used[name.replace("-", "_")]
                 expected = f"{value:g}" if isinstance(value, float) else str(value)
                 for text in (in_help, in_manual):
                     section, = (part for part in text if re.match(rf'{name}"?\s', part))
-                    found = re.findall(r"Default\s+(-?[\d.]*\d)|(\w+)\s+\(default\)", section)
+                    found = re.findall(r"Default\s+(-?[\d.]*\d(?:e-\d+)?)|(\w+)\s+\(default\)", section)
                     self.assertEqual(["".join(pair) for pair in found], [expected])
 
     def test_version(self):

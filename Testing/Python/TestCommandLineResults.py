@@ -54,6 +54,22 @@ class TestResults(CommandLineTest):
         self.assertEqual(len(lines), report["iterations"] + 2)
         self.assertEqual(float(lines[-1].split(",")[1]), report["energy"])
 
+    def test_ends_when_converged(self):
+        # Long before 400 steps, by the default; where it is off, as far as the energy can fall.
+        energies = {}
+        for name, options in (("default", []), ("all", ["--energy-tolerance", "0"]),
+                              ("early", ["--energy-tolerance", "0.001"])):
+            self.succeed(self.input(), "out.vtp", "--points", "200", "--newton", "400",
+                         "--convergence", "t.csv", *options)
+            lines = content(self.path("t.csv")).decode().splitlines()[1:]
+            energies[name] = [float(line.split(",")[1]) for line in lines]
+        self.assertLess(len(energies["early"]), len(energies["default"]))
+        self.assertLess(len(energies["default"]), len(energies["all"]))
+        self.assertLess(len(energies["default"]), 200)
+        self.assertLess(energies["default"][-1], 1.005 * energies["all"][-1])
+        *_, before, last = energies["default"]
+        self.assertLessEqual(before - last, 5e-6 * last)
+
     def test_report(self):
         name = 'odd "name" \\ \u00e9\n.vtp'
         shutil.copy(self.input(), self.path(name))
