@@ -143,9 +143,20 @@ void testBytes(const EmbeddedSurface& surface)
   CHECK(sentForOne(surface, sites, 2)[1] <= entries * entry + (blocks.size() + 2) * head);
 }
 
+/** An optimisation on ranks of which one fails; what the first is told. */
+Status failedRun(
+  const EmbeddedSurface& surface, Post& post, const std::function<void(Ranks&)>& others)
+{
+  Status status;
+  runOnRanks(
+    post,
+    [&](Ranks& ranks) { status = optimize(surface, sampled(surface, 100, 3), &ranks).status; },
+    others);
+  return status;
+}
+
 void testFailure(const EmbeddedSurface& surface)
 {
-  const Sites start = sampled(surface, 100, 3);
   const auto failing = [](Ranks& ranks)
   {
     for (;;)
@@ -165,15 +176,9 @@ void testFailure(const EmbeddedSurface& surface)
     }
   };
   Post post(3);
-  runOnRanks(
-    post,
-    [&](Ranks& ranks)
-    {
-      const Optimized result = optimize(surface, start, &ranks);
-      CHECK(result.status.code == StatusCode::OutOfMemory);
-      CHECK(result.status.message == "Process 1: There is not enough memory for this run.");
-    },
-    failing);
+  const Status refused = failedRun(surface, post, failing);
+  CHECK(refused.code == StatusCode::OutOfMemory);
+  CHECK(refused.message == "Process 1: There is not enough memory for this run.");
   CHECK(post.isEmpty());
   // An order that makes no sense is answered.
   Post other(2);
@@ -191,24 +196,18 @@ void testFailure(const EmbeddedSurface& surface)
 /** Without memory for a part, or for sites to hand on, the first is told, and no one waits. */
 void testNoRoom(const EmbeddedSurface& surface)
 {
-  const Sites start = sampled(surface, 100, 3);
   for (const int failing : { 1, 3, 5 }) // for a part, sites and later sites
   {
     Post post(4, eachWaits);
-    runOnRanks(
-      post,
-      [&](Ranks& ranks)
-      {
-        const Status status = optimize(surface, start, &ranks).status;
-        CHECK(status.code == StatusCode::OutOfMemory);
-        CHECK(status.message == "Process 2: There is not enough memory for this run.");
-      },
+    const Status status = failedRun(surface, post,
       [&](Ranks& ranks)
       {
         // There is no room for one packet.
         FailingRanks narrow(post, ranks.own(), ranks.own() == 2 ? failing : -1, std::bad_alloc());
         workForFirst(narrow);
       });
+    CHECK(status.code == StatusCode::OutOfMemory);
+    CHECK(status.message == "Process 2: There is not enough memory for this run.");
     CHECK(post.isEmpty());
   }
 }
@@ -216,24 +215,18 @@ void testNoRoom(const EmbeddedSurface& surface)
 /** Where a rank is lost that hands on, the run ends on all others, too. */
 void testLost(const EmbeddedSurface& surface)
 {
-  const Sites start = sampled(surface, 100, 3);
-  const auto runWith = [&](const std::function<void(Ranks&, Post&)>& lost)
+  const auto check = [&](const std::function<void(Ranks&, Post&)>& lost)
   {
     Post post(4, longOnesWait);
-    runOnRanks(
-      post,
-      [&](Ranks& ranks)
-      {
-        const Status status = optimize(surface, start, &ranks).status;
-        CHECK(status.code == StatusCode::InvalidInput);
-        CHECK_EQUAL(status.message.substr(0, 8), "Process ");
-      },
+    const Status status = failedRun(surface, post,
       [&](Ranks& ranks) { ranks.own() == 2 ? lost(ranks, post) : workForFirst(ranks); });
+    CHECK(status.code == StatusCode::InvalidInput);
+    CHECK_EQUAL(status.message.substr(0, 8), "Process ");
   };
-  runWith([](Ranks&, Post&) {});
+  check([](Ranks&, Post&) {});
   for (const int heard : { 0, 1, 2, 3, 5 })
   {
-    runWith(
+    check(
       [&](Ranks& ranks, Post& post)
       {
         const std::runtime_error broken("The line is broken.");
@@ -246,17 +239,10 @@ void testLost(const EmbeddedSurface& surface)
 /** A rank that cannot hand on works on: nothing is left on the way to it. */
 void testLostHearer(const EmbeddedSurface& surface)
 {
-  const Sites start = sampled(surface, 100, 3);
   Post post(4, longOnesWait);
-  runOnRanks(
-    post,
-    [&](Ranks& ranks)
-    {
-      const Status status = optimize(surface, start, &ranks).status;
-      CHECK(status.code == StatusCode::InvalidInput);
-      CHECK_EQUAL(status.message, "Process 3 cannot be reached.");
-    },
-    [&](Ranks& ranks) { workWithoutLast(ranks); });
+  const Status status = failedRun(surface, post, [](Ranks& ranks) { workWithoutLast(ranks); });
+  CHECK(status.code == StatusCode::InvalidInput);
+  CHECK_EQUAL(status.message, "Process 3 cannot be reached.");
   CHECK(post.isEmpty());
 }
 
