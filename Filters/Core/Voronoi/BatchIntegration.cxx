@@ -59,7 +59,8 @@ void BatchIntegration<D>::collect(Index facet, Collection& collection) const
     this->put(facet, 0, owners, collection);
     return;
   }
-  const int single = owners[1] == owners[2] ? 0 : owners[2] == owners[0] ? 1 : 2;
+  // No branch: none can foresee which corner it is.
+  const int single = (owners[2] == owners[0]) + 2 * (owners[0] == owners[1]);
   const Index shared = owners[(single + 1) % 3];
   const Index sites[3] = { shared, owners[single], shared };
   this->put(facet, single, sites, collection);

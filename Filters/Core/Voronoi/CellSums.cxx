@@ -57,8 +57,7 @@ BlockAccumulator<D>::BlockAccumulator(const EmbeddedSurface& surface, const Site
   : m_surface(surface)
   , m_sites(sites)
   , m_corners(surface)
-  , m_slotOfSite(static_cast<std::size_t>(sites.count()))
-  , m_blockOfSlot(static_cast<std::size_t>(sites.count()), 0)
+  , m_slots(static_cast<std::size_t>(sites.count()))
   , m_gathers(D == Eigen::Dynamic && surface.dimension >= manyDimensions)
 {
 }
@@ -72,18 +71,14 @@ void BlockAccumulator<D>::begin(BlockSums& sums)
   ++m_block;
 }
 
+/** Zeros for a site that the block meets for the first time. */
 template <int D>
-double* BlockAccumulator<D>::valuesOf(Index site)
+double* BlockAccumulator<D>::addSite(Index site)
 {
-  const std::size_t stride = scalars + static_cast<std::size_t>(m_surface.dimension);
-  if (m_blockOfSlot[site] != m_block)
-  {
-    m_blockOfSlot[site] = m_block;
-    m_slotOfSite[site] = static_cast<Index>(m_sums->sites.size());
-    m_sums->sites.push_back(site);
-    m_sums->values.resize(m_sums->values.size() + stride); // zeros
-  }
-  return m_sums->values.data() + static_cast<std::size_t>(m_slotOfSite[site]) * stride;
+  m_slots[site] = { m_block, static_cast<Index>(m_sums->sites.size()) };
+  m_sums->sites.push_back(site);
+  m_sums->values.resize(m_sums->values.size() + static_cast<std::size_t>(this->stride()));
+  return m_sums->values.data() + m_sums->values.size() - this->stride();
 }
 
 template <int D>
@@ -98,7 +93,7 @@ void BlockAccumulator<D>::add(Index facet, Index site, const PieceIntegral& piec
   {
     for (int k = 0; k < 3; ++k)
     {
-      m_weights.push_back({ m_surface.facetCorners[facet][k], m_slotOfSite[site],
+      m_weights.push_back({ m_surface.facetCorners[facet][k], m_slots[site].place,
         piece.weights[k] * constants.mass });
     }
     return;

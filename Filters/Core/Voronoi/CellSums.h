@@ -51,7 +51,7 @@ public:
   void addColumn(Index site, const double (*sums)[lanes], int lane)
   {
     double* values = this->valuesOf(site);
-    for (int k = 0; k < 2 + this->dimension(); ++k)
+    for (int k = 0; k < this->stride(); ++k)
     {
       values[k] += sums[k][lane];
     }
@@ -75,17 +75,32 @@ private:
     double weight;
   };
 
+  /** Where a site's sums are in a block; side by side, as both are read for each part. */
+  struct Slot
+  {
+    Index block = 0;
+    Index place = 0;
+  };
+
   int dimension() const { return D == Eigen::Dynamic ? m_surface.dimension : D; }
-  double* valuesOf(Index site);
+  /** Numbers for a site: mass, energy, moment. */
+  int stride() const { return 2 + this->dimension(); }
+  double* valuesOf(Index site)
+  {
+    const Slot& slot = m_slots[site];
+    return slot.block == m_block
+      ? m_sums->values.data() + static_cast<std::ptrdiff_t>(slot.place) * this->stride()
+      : this->addSite(site);
+  }
+  double* addSite(Index site);
 
   const EmbeddedSurface& m_surface;
   const Sites& m_sites;
   CornerReader<D> m_corners;
   BlockSums* m_sums = nullptr;
-  std::vector<Index> m_slotOfSite;  ///< n, valid where m_blockOfSlot is this block
-  std::vector<Index> m_blockOfSlot; ///< n
-  Index m_block = 0;                ///< counts the calls of begin()
-  bool m_gathers;                   ///< whether moments wait for finish()
+  std::vector<Slot> m_slots; ///< n, of the sites
+  Index m_block = 0;         ///< counts the calls of begin()
+  bool m_gathers;            ///< whether moments wait for finish()
   std::vector<CornerWeight> m_weights;
 };
 
