@@ -185,13 +185,14 @@ Status readFacetDensities(const SurfaceMesh& mesh, const PointArray& array,
 }
 
 std::vector<double> densitiesOf(
-  const SurfaceMesh& mesh, const std::vector<FacetOrigin>& origins, const PointArray& array)
+  const SurfaceMesh& mesh, const FacetOrigins& origins, const PointArray& array)
 {
   constexpr double middle[3] = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
   std::vector<double> densities;
   densities.reserve(origins.size());
-  for (const FacetOrigin& origin : origins)
+  for (std::size_t f = 0; f < origins.size(); ++f)
   {
+    const FacetOrigin origin = origins[f];
     const std::array<double, 3> place = origin.place(middle);
     const std::array<Offset, 3> points = mesh.facetInputPoints[origin.facet];
     double& density = densities.emplace_back(0.0);

@@ -50,7 +50,7 @@ Status readFacetDensities(const SurfaceMesh& mesh, const PointArray& array,
 /** The same at the middles of the facets of a refined surface, once the array is known to be good.
  */
 std::vector<double> densitiesOf(
-  const SurfaceMesh& mesh, const std::vector<FacetOrigin>& origins, const PointArray& array);
+  const SurfaceMesh& mesh, const FacetOrigins& origins, const PointArray& array);
 
 /** All tuples of a point array of three components, as they are. */
 Status readNormals(

@@ -89,7 +89,7 @@ struct InputSurface
 {
   SurfaceMesh mesh;
   std::optional<Features> features;
-  std::vector<FacetOrigin> origins; ///< of the refined surface's facets, on this one
+  FacetOrigins origins; ///< of the refined surface's facets, on this one
 };
 
 struct PreparedSurface

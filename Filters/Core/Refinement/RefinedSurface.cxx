@@ -2,8 +2,22 @@
 
 namespace remesh
 {
+FacetOrigins::FacetOrigins(const std::vector<FacetOrigin>& origins)
+  : m_facets(origins.size())
+{
+  for (std::size_t f = 0; f < origins.size(); ++f)
+  {
+    const bool isWhole = origins[f].isWhole();
+    m_facets[f] = isWhole ? origins[f].facet : -1 - static_cast<Index>(m_parts.size());
+    if (!isWhole)
+    {
+      m_parts.push_back(origins[f]);
+    }
+  }
+}
+
 CornerCoordinates interpolateCorners(const SurfaceMesh& before, const SurfaceMesh& refined,
-  const std::vector<FacetOrigin>& origins, const CornerCoordinates& coordinates)
+  const FacetOrigins& origins, const CornerCoordinates& coordinates)
 {
   CornerCoordinates made;
   made.dimension = coordinates.dimension;
@@ -12,7 +26,7 @@ CornerCoordinates interpolateCorners(const SurfaceMesh& before, const SurfaceMes
   std::vector<char> done(refined.cornerPoints.size(), 0);
   for (std::size_t f = 0; f < origins.size(); ++f)
   {
-    const FacetOrigin& origin = origins[f];
+    const FacetOrigin origin = origins[f];
     for (int k = 0; k < 3; ++k)
     {
       const Index corner = refined.facetCorners[f][k];

@@ -27,6 +27,13 @@ struct FacetOrigin
   /** Barycentric coordinates there of this facet's corners. */
   std::array<std::array<float, 3>, 3> corners;
 
+  /** Of a facet that was not split. */
+  static FacetOrigin whole(Index facet)
+  {
+    return { facet, { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } } };
+  }
+  bool isWhole() const { return this->corners == whole(this->facet).corners; }
+
   /** Of a place on this facet, there. */
   std::array<double, 3> place(const double b[3]) const
   {
@@ -42,6 +49,25 @@ struct FacetOrigin
   }
 };
 
+/** The same for all facets, as it is kept: most were not split, and take four bytes. */
+class FacetOrigins
+{
+public:
+  FacetOrigins() = default;
+  FacetOrigins(const std::vector<FacetOrigin>& origins); // NOLINT: the same, kept
+
+  std::size_t size() const { return m_facets.size(); }
+  FacetOrigin operator[](std::size_t facet) const
+  {
+    const Index at = m_facets[facet];
+    return at >= 0 ? FacetOrigin::whole(at) : m_parts[-1 - at];
+  }
+
+private:
+  std::vector<Index> m_facets; ///< F, the facet before; or -1 - k for the k-th part
+  std::vector<FacetOrigin> m_parts;
+};
+
 struct RefinedSurface
 {
   /** Facets in the order of those they came from; `facetInputPoints` are none. */
@@ -52,7 +78,7 @@ struct RefinedSurface
 
 /** Rows of the corners before, linearly in their facets; none is lent. */
 CornerCoordinates interpolateCorners(const SurfaceMesh& before, const SurfaceMesh& refined,
-  const std::vector<FacetOrigin>& origins, const CornerCoordinates& coordinates);
+  const FacetOrigins& origins, const CornerCoordinates& coordinates);
 }
 
 #endif

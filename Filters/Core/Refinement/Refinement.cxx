@@ -115,7 +115,7 @@ RefinedSurface wholeSurface(const SurfaceMesh& mesh, const Features* features)
   surface.origins.resize(mesh.facetPoints.size());
   for (Index f = 0; f < mesh.numberOfFacets(); ++f)
   {
-    surface.origins[f] = { f, { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } } };
+    surface.origins[f] = FacetOrigin::whole(f);
   }
   return surface;
 }
