@@ -215,42 +215,43 @@ double slopeAlong(
   return vectors.sum([&](std::size_t k) { return -2.0 * sums.moment[k] * direction[k]; });
 }
 
-/** A direction that sites go in, and the slope of the energy along it. */
-struct Descent
+/**
+ * The Hessian's direction; Lloyd's, which always descends, where the history misleads. Found again
+ * from the same sums, it is the same. Returns the slope of the energy along it.
+ */
+double findDescent(const CellSums& sums, const BlockedVectors& vectors, InverseHessian& hessian,
+  std::vector<double>& direction)
 {
-  std::vector<double> direction;
-  double slope = 0.0;
-};
-
-/** The Hessian's direction; Lloyd's, which always descends, where the history misleads. */
-void findDescent(
-  const CellSums& sums, const BlockedVectors& vectors, InverseHessian& hessian, Descent& descent)
-{
-  hessian.descend(sums, descent.direction);
-  stayNear(sums, vectors, descent.direction);
-  descent.slope = slopeAlong(sums, descent.direction, vectors);
-  if (!(descent.slope < 0.0))
+  hessian.descend(sums, direction);
+  stayNear(sums, vectors, direction);
+  double slope = slopeAlong(sums, direction, vectors);
+  if (!(slope < 0.0))
   {
     hessian.clear();
-    hessian.descend(sums, descent.direction);
-    descent.slope = slopeAlong(sums, descent.direction, vectors);
+    hessian.descend(sums, direction); // within the cells: near enough
+    slope = slopeAlong(sums, direction, vectors);
   }
+  return slope;
 }
 
-/** Backtracks from the unit step until the energy has fallen enough. */
-Status search(const Relaxation& relaxation, const Descent& descent, const BlockedVectors& vectors,
+/**
+ * Backtracks from the unit step until the energy has fallen enough. The direction becomes the sites
+ * where it is, and is found again for each further trial: these are rare, and n x d are many.
+ */
+Status search(const Relaxation& relaxation, const BlockedVectors& vectors, InverseHessian& hessian,
   const RunControl& control, Trial& trial)
 {
   const Sites& sites = relaxation.sites;
   trial.sites.dimension = sites.dimension;
   trial.sites.fixed = sites.fixed;
-  trial.sites.coordinates.resize(sites.coordinates.size());
   trial.length = 1.0;
   trial.accepted = false;
+  std::vector<double>& places = trial.sites.coordinates;
   for (int k = 0; k < maxTrials; ++k)
   {
-    vectors.forEach([&](std::size_t c)
-      { trial.sites.coordinates[c] = sites.coordinates[c] + trial.length * descent.direction[c]; });
+    const double slope = findDescent(relaxation.sums, vectors, hessian, places);
+    vectors.forEach(
+      [&](std::size_t c) { places[c] = sites.coordinates[c] + trial.length * places[c]; });
     if (!vectors.complete())
     {
       return Status::cancelled();
@@ -263,12 +264,12 @@ Status search(const Relaxation& relaxation, const Descent& descent, const Blocke
     }
     holdFixedSites(trial.sites, trial.sums);
     const double rise = trial.sums.totalEnergy - relaxation.sums.totalEnergy;
-    if (rise <= sufficientDecrease * trial.length * descent.slope)
+    if (rise <= sufficientDecrease * trial.length * slope)
     {
       trial.accepted = true;
       break;
     }
-    trial.length = shorterLength(trial.length, descent.slope, rise);
+    trial.length = shorterLength(trial.length, slope, rise);
   }
   return Status::success();
 }
@@ -321,13 +322,11 @@ Status minimizeQuasiNewton(
   InverseHessian hessian(
     historyWithin(surface, sites.count(), options.historyLength), vectors, control);
   const double gradientBound = options.gradientTolerance * convergence.rows.front().gradientNorm;
-  Descent descent;
   Trial trial;
   for (int step = 0; step < options.iterations && sums.gradientNorm > gradientBound; ++step)
   {
-    findDescent(sums, vectors, hessian, descent);
     if (Status status =
-          search(relaxation, descent, vectors, control.step(step, options.iterations), trial);
+          search(relaxation, vectors, hessian, control.step(step, options.iterations), trial);
         !status.ok())
     {
       return status;

@@ -19,7 +19,7 @@ constexpr double shareOfOthers = 0.4;      // of the progress, left to runs that
 constexpr double shareOfSmoothed = 0.1;    // likewise, where one will as a rule not
 
 // What sites take at least, in bytes:
-constexpr double vectors = 6.0;      // of n x d doubles: sites, trial, direction, two moments, tree
+constexpr double vectors = 5.0;      // of n x d doubles: sites, trial, two moments, tree
 constexpr double otherBytes = 600.0; // of each site: neighbours, sums, owners and the like
 
 /** Asked before a run begins: later, the system may end it. `historyLength`: of the optimiser. */
