@@ -49,6 +49,11 @@ std::vector<Index> failingComponents(const Certificate& certificate)
   return failing;
 }
 
+RunControl afterDiagram(const RunControl& control)
+{
+  return control.named("Dual mesh");
+}
+
 SiteCandidate::SiteCandidate(const Task& task, bool othersStay, RemeshResult& result)
   : m_task(task)
   , m_result(result)
@@ -61,13 +66,14 @@ Status SiteCandidate::judge(const RunControl& control)
 {
   Stopwatch watch;
   Status status = this->findDiagram(control.step(0, 2));
+  const RunControl rest = afterDiagram(control.step(1, 2)); // its scratch is free
   if (status.ok())
   {
     status = this->measureSurface(control.silent());
   }
   if (status.ok())
   {
-    status = this->findDual(control.step(1, 2));
+    status = this->findDual(rest);
   }
   m_result.seconds.diagram += watch.lap();
   if (status.ok() && this->mayChange())
@@ -88,6 +94,7 @@ Status SiteCandidate::judge(const RunControl& control)
 Status SiteCandidate::countFacing(const RunControl& control)
 {
   m_countsFacing = true;
+  m_edges = EdgeTable{}; // found again where sites change, which is rare from now on
   m_start = m_verdict;
   m_start.reserve = std::numeric_limits<Offset>::max();
   const Status status = this->countWrong(control);
@@ -137,18 +144,21 @@ Status SiteCandidate::findDiagram(const RunControl& control)
   return status;
 }
 
-/** The surface's edges and its topology, if they are not known yet. */
+/** The surface's edges, if they are not held, and its topology, if that is not known yet. */
 Status SiteCandidate::measureSurface(const RunControl& control)
 {
-  if (!m_edges.facetEdges.empty())
+  if (m_edges.facetEdges.empty())
   {
-    return Status::success();
+    m_edges = buildCutEdgeTable(m_task.mesh, m_task.features, control);
   }
-  m_edges = buildCutEdgeTable(m_task.mesh, m_task.features, control);
-  return control.cancelled() ? Status::cancelled()
-                             : measureConnectivity(m_task.mesh.facetPoints,
-                                 m_task.features ? m_task.features->edges : m_edges,
-                                 m_task.mesh.numberOfPoints(), control, m_result.topology.surface);
+  MeshTopology& surface = m_result.topology.surface;
+  if (control.cancelled() || surface.triangles > 0)
+  {
+    return control.cancelled() ? Status::cancelled() : Status::success();
+  }
+  return measureConnectivity(m_task.mesh.facetPoints,
+    m_task.features ? m_task.features->edges : m_edges, m_task.mesh.numberOfPoints(), control,
+    surface);
 }
 
 /** The dual of the diagram, and whether it is proven to be like the surface. */

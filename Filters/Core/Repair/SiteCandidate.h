@@ -146,6 +146,9 @@ private:
   Verdict m_verdict;
 };
 
+/** The phase of a run that follows its first diagram, with all repairs of sites. */
+RunControl afterDiagram(const RunControl& control);
+
 /** All components that a failure of the certificate names; ascending. */
 std::vector<Index> failingComponents(const Certificate& certificate);
 

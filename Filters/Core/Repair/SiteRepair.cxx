@@ -39,7 +39,7 @@ Status repair(const RunControl& control, SiteCandidate& candidate, RemeshResult&
   }
   Stopwatch watch;
   const double before = result.seconds.diagram;
-  const RunControl rest = control.step(1, 2);
+  const RunControl rest = afterDiagram(control.step(1, 2));
   status = improve(topologyTable(), rest.step(0, 2), candidate);
   if (status.ok())
   {

@@ -69,6 +69,15 @@ public:
     return inner;
   }
 
+  /** The same control, whose phase has this name from now on. */
+  RunControl named(const char* phase) const
+  {
+    RunControl inner = *this;
+    inner.m_phase = phase;
+    inner.report(0.0);
+    return inner;
+  }
+
   /** A control that can be cancelled but reports nothing: for loops that are too short to tell. */
   RunControl silent() const
   {
