@@ -55,7 +55,7 @@ public:
     const auto isDrawn = [&](Offset piece)
     {
       constexpr double clearlyWide = 1e-10; // share of the facet
-      return m_diagram.integrals[piece].fraction() > clearlyWide || this->hasWidth(places, piece);
+      return m_diagram.weights[piece].fraction() > clearlyWide || this->hasWidth(places, piece);
     };
     static_cast<void>(packItems(
       m_diagram.numberOfPieces(), source.control, isDrawn,
@@ -88,7 +88,7 @@ private:
       const std::array<double, 3> b = vertices.at(v);
       length = std::max(length, std::hypot(b[1] - start[1], b[2] - start[2]));
     }
-    return m_diagram.integrals[piece].fraction() > rounding * length;
+    return m_diagram.weights[piece].fraction() > rounding * length;
   }
 
   const Diagram& m_diagram;

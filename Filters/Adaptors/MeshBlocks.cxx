@@ -180,7 +180,7 @@ std::vector<SitePart> measureSites(const DiagramSource& source)
     const double area =
       facetArea(mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]);
     parts.push_back({ { diagram.sites[piece], source.blockOfFacet(facet) },
-      diagram.integrals[piece].fraction() * area });
+      diagram.weights[piece].fraction() * area });
   }
   std::stable_sort(parts.begin(), parts.end(),
     [](const SitePart& a, const SitePart& b) { return a.where < b.where; });

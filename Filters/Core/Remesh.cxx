@@ -74,6 +74,20 @@ void keepFacetsAlone(Diagram& diagram)
   diagram = std::move(kept);
 }
 
+/** Makes room for the placement: leaves nothing of the diagram that it does not read. */
+void keepForPlacement(const Task& task, RemeshResult& result)
+{
+  if (!task.options.keepDiagram)
+  {
+    result.diagram.energies = std::vector<double>();
+    result.components.ofPiece = std::vector<Index>();
+  }
+  if (task.options.placement > VertexPlacement::Surface)
+  {
+    task.forgetWholeSurface(); // the fit takes as much
+  }
+}
+
 /** Fixes the vertices whose cells hold apexes there; the first of several in one cell. */
 void fixAtApexes(const Task& task, std::vector<char>& fixed, RemeshResult& result)
 {
@@ -127,10 +141,10 @@ Status placeOnFeatures(const Task& task, const PlacementProblem& problem, const 
 Status place(const Task& task, const RunControl& control, RemeshResult& result)
 {
   Stopwatch watch;
+  keepForPlacement(task, result);
   std::vector<char> fixed = verticesOnFeatures(result.seams, result.components.count());
-  const PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
-    result.components, result.dual.triangles, fixed, &result.seams.segments,
-    &task.wholeSurface(control), task.metric };
+  PlacementProblem problem{ task.mesh, task.surface, result.sites, result.diagram,
+    result.components, result.dual.triangles, fixed, &result.seams.segments, nullptr, task.metric };
   const VertexPlacement way = task.options.placement;
   Status status = Status::success();
   if (task.features && way >= VertexPlacement::Fit)
@@ -149,6 +163,7 @@ Status place(const Task& task, const RunControl& control, RemeshResult& result)
   }
   if (status.ok())
   {
+    problem.whole = &task.wholeSurface(control);
     status = repairPlacedMesh(
       problem, way, control.step(1, 2), result.locations, result.dual.triangles, result.placement);
   }

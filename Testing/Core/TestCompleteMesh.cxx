@@ -81,7 +81,7 @@ void testKeepDiagram()
   RemeshResult result;
   CHECK(remesh::remesh({ mesh, surface, nullptr, options }, RunControl(), result).ok());
   CHECK(kept.diagram.numberOfPieces() > 0);
-  CHECK(result.diagram.sites.empty() && result.diagram.integrals.empty());
+  CHECK(result.diagram.sites.empty() && result.diagram.weights.empty());
   CHECK(result.dual.triangles == kept.dual.triangles);
   CHECK(result.placement.positions == kept.placement.positions);
   CHECK_EQUAL(result.topology.mesh.eulerCharacteristic, 0);

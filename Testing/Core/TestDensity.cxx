@@ -37,7 +37,7 @@ void testSums()
       for (Offset p = 0; p < expected.diagram.numberOfPieces(); ++p)
       {
         const Index facet = expected.diagram.facets[p];
-        const PieceIntegral& integral = expected.diagram.integrals[p];
+        const PieceIntegral integral = expected.diagram.integralOf(p);
         mass[expected.diagram.sites[p]] +=
           densities[facet] * integral.fraction() * plain.constants[facet].mass;
         energy[expected.diagram.sites[p]] += densities[facet] * integral.energy;

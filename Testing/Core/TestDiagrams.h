@@ -224,7 +224,7 @@ inline void checkTotals(
   double pieceEnergy = 0.0;
   for (Offset p = 0; p < result.diagram.numberOfPieces(); ++p)
   {
-    const PieceIntegral& integral = result.diagram.integrals[p];
+    const PieceIntegral integral = result.diagram.integralOf(p);
     pieceMass += integral.fraction() * surface.constants[result.diagram.facets[p]].mass;
     pieceArea += integral.fraction() * facetArea(mesh, result.diagram.facets[p]);
     pieceEnergy += integral.energy;

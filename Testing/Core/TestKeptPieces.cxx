@@ -10,7 +10,8 @@ using namespace remesh;
 
 namespace
 {
-bool sameBytes(const std::vector<PieceIntegral>& a, const std::vector<PieceIntegral>& b)
+template <class Value>
+bool sameBytes(const std::vector<Value>& a, const std::vector<Value>& b)
 {
   return a.size() == b.size() &&
     (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
@@ -24,7 +25,8 @@ void checkSame(const test::Computed& a, const test::Computed& b)
   CHECK(a.diagram.facets == b.diagram.facets);
   CHECK(a.diagram.vertexBegin == b.diagram.vertexBegin);
   CHECK(a.diagram.across == b.diagram.across);
-  CHECK(sameBytes(a.diagram.integrals, b.diagram.integrals));
+  CHECK(sameBytes(a.diagram.weights, b.diagram.weights));
+  CHECK(sameBytes(a.diagram.energies, b.diagram.energies));
   CHECK(a.sums.mass == b.sums.mass);
   CHECK(a.sums.energy == b.sums.energy && a.sums.moment == b.sums.moment);
 }
@@ -170,12 +172,12 @@ void testFewChange()
   CHECK(around.size() < 40);
   // What is kept stays where it is, if there is room.
   Diagram diagram = earlier.diagram;
-  diagram.integrals.reserve(2 * diagram.integrals.size());
-  const PieceIntegral* const memory = diagram.integrals.data();
+  diagram.weights.reserve(2 * diagram.weights.size());
+  const PieceWeights* const memory = diagram.weights.data();
   CellSums sums;
   const EarlierSites known{ earlier.sites, earlier.owners };
   CHECK(RestrictedVoronoi(surface).decompose(sites, RunControl(), sums, diagram, &known).ok());
-  CHECK(diagram.integrals.data() == memory);
+  CHECK(diagram.weights.data() == memory);
 }
 }
 

@@ -59,11 +59,10 @@ public:
     this->add(static_cast<const std::vector<T>&>(values));
   }
 
-  void add(const PieceIntegral& integral)
+  void add(const PieceWeights& part)
   {
-    this->add(integral.fraction());
-    this->add(integral.weights);
-    this->add(integral.energy);
+    this->add(part.fraction());
+    this->add(part.weights);
   }
 
   void add(const SurfaceLocation& location)
@@ -123,7 +122,7 @@ std::string bytesOf(const SurfaceMesh& mesh, const EmbeddedSurface& surface,
     bytes.addAll(plain->mass, plain->energy, plain->moment);
   }
   const Diagram& diagram = result.diagram;
-  bytes.addAll(diagram.facetBegin, diagram.sites, diagram.facets, diagram.integrals,
+  bytes.addAll(diagram.facetBegin, diagram.sites, diagram.facets, diagram.weights, diagram.energies,
     diagram.vertexBegin, diagram.across);
   const Components& components = result.components;
   bytes.addAll(components.ofPiece, components.sites, components.ranks, components.pieceBegin,

@@ -70,14 +70,9 @@ Found footOf(const SurfaceSample& sample, const VertexStars& stars, Index vertex
 void checkBlock(const PlacementProblem& problem, const std::vector<Point3>& positions)
 {
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
-  std::vector<Point3> normals;
-  for (const auto& [i, j, k] : problem.triangles)
-  {
-    normals.push_back(facetNormal(positions[i], positions[j], positions[k]));
-  }
   FitSamples samples(problem, samplesPerVertex);
   const double unit2 = samples.unit() * samples.unit(); // of the weights
-  StarFit fit(problem, stars, positions, normals);
+  StarFit fit(problem, stars, positions);
   int beside = 0;
   for (Offset block = 0; block < samples.blocks().count(); ++block)
   {
@@ -140,19 +135,14 @@ void checkBlock(const PlacementProblem& problem, const std::vector<Point3>& posi
 void checkShortage(const PlacementProblem& problem, const std::vector<Point3>& positions)
 {
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
-  std::vector<Point3> normals;
-  for (const auto& [i, j, k] : problem.triangles)
-  {
-    normals.push_back(facetNormal(positions[i], positions[j], positions[k]));
-  }
   StarBlock expected;
   FitSamples whole(problem, samplesPerVertex);
-  StarFit(problem, stars, positions, normals).sum(whole, 0, expected);
+  StarFit(problem, stars, positions).sum(whole, 0, expected);
   int shortages = 0;
   for (bool failed = true; failed; ++shortages)
   {
     FitSamples samples(problem, samplesPerVertex);
-    StarFit fit(problem, stars, positions, normals);
+    StarFit fit(problem, stars, positions);
     StarBlock block;
     failed = false;
     test::allocationsLeft = shortages;
@@ -189,8 +179,9 @@ void checkRounds(const PlacementProblem& problem, const std::vector<Point3>& pos
 {
   const std::vector<Point3>& others = problem.components.centroids;
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
+  CellQuadrics planes;
   CellForms cells;
-  CHECK(measureCells(problem, RunControl(), cells));
+  CHECK(measureCells(problem, RunControl(), planes, cells));
   const FitTask task{ problem, stars, cells };
   FitSamples samples(problem, samplesPerVertex);
   FitSystem once = makeFitSystem(problem);

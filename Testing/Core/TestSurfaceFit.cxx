@@ -270,8 +270,9 @@ void testRegularity()
   const std::vector<char> none;
   const PlacementProblem problem{ mesh, surface, result.sites, result.diagram, result.components,
     result.dual.triangles, none };
+  CellQuadrics planes;
   CellForms cells;
-  CHECK(measureCells(problem, RunControl(), cells));
+  CHECK(measureCells(problem, RunControl(), planes, cells));
   const std::vector<Point3> start = result.placement.positions;
   for (const double size : { 0.0, 0.01, 0.03 })
   {

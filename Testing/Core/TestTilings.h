@@ -64,7 +64,7 @@ inline std::vector<DiagramVertex> loopOf(const PlacedDiagram& diagram, Offset pi
 inline void checkPiece(const PlacedDiagram& diagram, Offset piece)
 {
   const std::vector<DiagramVertex> loop = loopOf(diagram, piece);
-  const PieceIntegral& integral = diagram.integrals[piece];
+  const PieceIntegral integral = diagram.integralOf(piece);
   CHECK(loop.size() >= 4);
   double area = 0.0;
   double minTurn = 0.0;
@@ -176,7 +176,7 @@ inline void checkTiling(const EmbeddedSurface& surface, const PlacedDiagram& dia
       CHECK_EQUAL(diagram.facets[p], facet);
       CHECK_EQUAL(diagram.pieceOf(facet, diagram.sites[p]), p);
       checkPiece(diagram, p);
-      fractions += diagram.integrals[p].fraction();
+      fractions += diagram.weights[p].fraction();
       const std::vector<DiagramVertex> loop = loopOf(diagram, p);
       for (std::size_t v = 0; v + 1 < loop.size(); ++v)
       {

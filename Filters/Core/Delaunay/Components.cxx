@@ -185,15 +185,15 @@ void sumComponent(
   {
     const Offset piece = components.pieces[p];
     const Index facet = diagram.facets[piece];
-    const PieceIntegral& integral = diagram.integrals[piece];
+    const PieceWeights& part = diagram.weights[piece];
     const FacetConstants& constants = places.surface.constants[facet];
-    mass += integral.fraction() * constants.mass;
-    area += integral.fraction() * facetArea(mesh, facet);
-    energy += integral.energy;
+    mass += part.fraction() * constants.mass;
+    area += part.fraction() * facetArea(mesh, facet);
+    energy += diagram.energies[piece];
     for (int k = 0; k < 3; ++k)
     {
       const Point3& point = mesh.points[mesh.facetPoints[facet][k]];
-      moment += (integral.weights[k] * constants.mass) * point;
+      moment += (part.weights[k] * constants.mass) * point;
     }
   }
   components.mass[component] = mass;
@@ -274,7 +274,7 @@ std::vector<double> measureCellAreas(
     const double area = facetArea(mesh, facet);
     for (Offset p = diagram.facetBegin[facet]; p < diagram.facetBegin[facet + 1]; ++p)
     {
-      areas[diagram.sites[p]] += diagram.integrals[p].fraction() * area;
+      areas[diagram.sites[p]] += diagram.weights[p].fraction() * area;
     }
   }
   return areas;

@@ -154,7 +154,7 @@ void TriangleCover::measure(
       [&](Index piece)
       {
         const Index facet = diagram.facets[piece];
-        const double share = std::max(0.0, diagram.integrals[piece].fraction());
+        const double share = std::max(0.0, diagram.weights[piece].fraction());
         parts.push_back({ facet, share * facetArea(this->mesh, facet) });
       });
   }

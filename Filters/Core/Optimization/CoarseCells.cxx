@@ -40,7 +40,7 @@ std::vector<double> measureCells(
   for (Offset p = 0; p < diagram.numberOfPieces(); ++p)
   {
     const Index facet = diagram.facets[p];
-    const double fraction = diagram.integrals[p].fraction();
+    const double fraction = diagram.weights[p].fraction();
     measures[diagram.sites[p]] += fraction * surface.siteMeasureOf(facet);
     areas[diagram.sites[p]] += fraction * surface.embeddedArea(facet);
   }

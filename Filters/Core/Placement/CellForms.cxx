@@ -36,7 +36,8 @@ Symmetric3<double> facetMetric(const PlacementProblem& problem, Index facet, con
     std::sqrt(std::max(stretch2, 0.0)) * symmetricProduct(normal, normal);
 }
 
-void measureCell(const PlacementProblem& problem, Index vertex, CellForms& forms)
+void measureCell(
+  const PlacementProblem& problem, Index vertex, CellQuadrics& planes, CellForms& forms)
 {
   const Components& components = problem.components;
   const Point3& center = components.centroids[vertex];
@@ -47,8 +48,8 @@ void measureCell(const PlacementProblem& problem, Index vertex, CellForms& forms
   {
     const Offset piece = components.pieces[p];
     const Index facet = problem.diagram.facets[piece];
-    const PieceIntegral& integral = problem.diagram.integrals[piece];
-    const double area = integral.fraction() * facetArea(problem.mesh, facet);
+    const PieceWeights& part = problem.diagram.weights[piece];
+    const double area = part.fraction() * facetArea(problem.mesh, facet);
     if (!(area > 0.0))
     {
       continue;
@@ -58,16 +59,16 @@ void measureCell(const PlacementProblem& problem, Index vertex, CellForms& forms
     const Point3& c = problem.facetPoint(facet, 2);
     const Point3 normal = facetNormal(a, b, c);
     all += area;
-    forms.quadrics[vertex] += area * symmetricProduct(normal, normal);
-    forms.slopes[vertex] += (area * normal.dot(a - center)) * normal;
+    planes.quadrics[vertex] += area * symmetricProduct(normal, normal);
+    planes.slopes[vertex] += (area * normal.dot(a - center)) * normal;
     forms.normals[vertex] += area * normal;
     const double scale = problem.surface.lengthScale(facet);
     metric += area * scale * scale * facetMetric(problem, facet, normal);
-    const double* w = integral.weights;
+    const double* w = part.weights;
     const Point3 middle = (w[0] * a + w[1] * b + w[2] * c) / (w[0] + w[1] + w[2]);
     radius2 = std::max(radius2, (middle - center).squaredNorm());
   }
-  forms.radii[vertex] = std::sqrt(radius2);
+  planes.radii[vertex] = std::sqrt(radius2);
   metric /= all > 0.0 ? all : 1.0;
 }
 
@@ -85,21 +86,22 @@ double variationOf(const Symmetric3<double>& quadric)
 }
 }
 
-bool measureCells(const PlacementProblem& problem, const RunControl& control, CellForms& forms)
+bool measureCells(const PlacementProblem& problem, const RunControl& control, CellQuadrics& planes,
+  CellForms& forms)
 {
   const auto count = static_cast<std::size_t>(problem.numberOfVertices());
-  forms.quadrics.assign(count, Symmetric3<double>::Zero());
-  forms.slopes.assign(count, Point3::Zero());
+  planes.quadrics.assign(count, Symmetric3<double>::Zero());
+  planes.slopes.assign(count, Point3::Zero());
+  planes.radii.assign(count, 0.0);
   forms.normals.assign(count, Point3::Zero());
-  forms.radii.assign(count, 0.0);
   forms.metrics.assign(count, Symmetric3<double>::Zero());
   const Blocks blocks = Blocks::cut(problem.numberOfVertices(), 256, 4096);
   double varying = 0.0;
   double all = 0.0;
   const auto measure = [&](std::size_t v)
   {
-    measureCell(problem, static_cast<Index>(v), forms);
-    return problem.isFixed(v) ? 0.0 : problem.components.area[v] * variationOf(forms.quadrics[v]);
+    measureCell(problem, static_cast<Index>(v), planes, forms);
+    return problem.isFixed(v) ? 0.0 : problem.components.area[v] * variationOf(planes.quadrics[v]);
   };
   const auto areaOf = [&](std::size_t v)
   { return problem.isFixed(v) ? 0.0 : problem.components.area[v]; };

@@ -12,12 +12,17 @@
 namespace remesh
 {
 /** Sums over the pieces of components, a their areas in R^3, n their facets' unit normals. */
-struct CellForms
+struct CellQuadrics
 {
   std::vector<Symmetric3<double>> quadrics; ///< K, sum of a n n^T
   std::vector<Point3> slopes;               ///< K, sum of a (n . (p - centroid)) n, p in the plane
-  std::vector<Point3> normals;              ///< K, sum of a n
   std::vector<double> radii;                ///< K, how far the pieces' centres are from centroids
+};
+
+/** What a fit reads of them, too. */
+struct CellForms
+{
+  std::vector<Point3> normals; ///< K, sum of a n
   /**
    * K, the mean of the metrics that R^d and the density give the facets, scaled units: in them the
    * sites are equally far apart. Each is a tensor of R^3 that takes normals for as long as the
@@ -36,8 +41,8 @@ struct CellForms
  *
  * @return false when cancelled.
  */
-[[nodiscard]] bool measureCells(
-  const PlacementProblem& problem, const RunControl& control, CellForms& forms);
+[[nodiscard]] bool measureCells(const PlacementProblem& problem, const RunControl& control,
+  CellQuadrics& planes, CellForms& forms);
 }
 
 #endif

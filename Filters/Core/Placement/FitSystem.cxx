@@ -106,9 +106,8 @@ bool sumSamples(const FitTask& task, const std::vector<Point3>& positions, FitSa
   const RunControl& control, FitSystem& system)
 {
   const PlacementProblem& problem = task.problem;
-  const std::vector<Point3> normals = normalsOf(problem.triangles, positions);
   ScratchPool<StarFit> pool(
-    [&]() { return std::make_unique<StarFit>(problem, task.stars, positions, normals); });
+    [&]() { return std::make_unique<StarFit>(problem, task.stars, positions); });
   const Offset count = samples.blocks().count();
   system.blockSums.resize(static_cast<std::size_t>(std::min(blocksPerGroup, count)));
   for (Offset first = 0; first < count; first += blocksPerGroup)

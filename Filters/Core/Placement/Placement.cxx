@@ -89,17 +89,19 @@ Status locatePlaces(const NearbySurface& surface, const std::vector<Point3>& kno
 namespace
 {
 /** The quadrics' minima, as near to them as no triangle is spoilt. */
-Status approachQuadrics(const PlacementProblem& problem, const CellForms& cells,
-  const std::vector<Point3>& start, const RunControl& control, std::vector<Point3>& positions)
+Status approachQuadrics(const PlacementProblem& problem, const std::vector<Point3>& start,
+  const RunControl& control, CellForms& cells, std::vector<Point3>& positions)
 {
-  if (!placeByQuadrics(problem, cells, control.silent(), positions))
+  CellQuadrics planes; // none is left when vertices are fitted
+  if (!measureCells(problem, control, planes, cells) ||
+    !placeByQuadrics(problem, planes, control.silent(), positions))
   {
     return Status::cancelled();
   }
   const VertexStars stars(problem.triangles, problem.numberOfVertices());
   // Against their own normals: shapes alone do not tell a triangle from its mirror image.
   const std::vector<Point3> normals = normalsOf(problem.triangles, start);
-  return limitSteps(problem, stars, { start, normals, start }, control, positions)
+  return limitSteps(problem, stars, { start, normals, start }, control.silent(), positions)
     ? Status::success()
     : Status::cancelled();
 }
@@ -127,11 +129,7 @@ Status choosePlaces(const PlacementProblem& problem, VertexPlacement way, const 
     return Status::success();
   }
   CellForms cells;
-  if (!measureCells(problem, control.step(0, 2), cells))
-  {
-    return Status::cancelled();
-  }
-  const Status status = approachQuadrics(problem, cells, start, control.silent(), positions);
+  const Status status = approachQuadrics(problem, start, control.step(0, 2), cells, positions);
   if (!status.ok() || way == VertexPlacement::Quadric)
   {
     return status;

@@ -13,9 +13,9 @@ namespace
 /** Flatter directions are noise: the share of the largest eigenvalue below which one is cut off. */
 constexpr double minEigenvalue = 1e-2;
 
-Point3 minimiser(const Point3& center, const CellForms& forms, std::size_t vertex)
+Point3 minimiser(const Point3& center, const CellQuadrics& planes, std::size_t vertex)
 {
-  const Symmetric3<double>& quadric = forms.quadrics[vertex];
+  const Symmetric3<double>& quadric = planes.quadrics[vertex];
   const double size = quadric[0] + quadric[3] + quadric[5];
   if (!(size > 0.0) || !std::isfinite(size))
   {
@@ -30,16 +30,16 @@ Point3 minimiser(const Point3& center, const CellForms& forms, std::size_t verte
     if (values[k] > minEigenvalue * values[2])
     {
       const Point3 axis = solver.eigenvectors().col(k);
-      shift += axis.dot(forms.slopes[vertex]) / (size * values[k]) * axis;
+      shift += axis.dot(planes.slopes[vertex]) / (size * values[k]) * axis;
     }
   }
   const double length = shift.norm();
-  const double radius = forms.radii[vertex];
+  const double radius = planes.radii[vertex];
   return length <= radius ? Point3(center + shift) : Point3(center + radius / length * shift);
 }
 }
 
-bool placeByQuadrics(const PlacementProblem& problem, const CellForms& forms,
+bool placeByQuadrics(const PlacementProblem& problem, const CellQuadrics& planes,
   const RunControl& control, std::vector<Point3>& positions)
 {
   return forEachRange(Blocks::cut(problem.numberOfVertices(), 256, 4096), control,
@@ -49,7 +49,7 @@ bool placeByQuadrics(const PlacementProblem& problem, const CellForms& forms,
       {
         if (!problem.isFixed(v))
         {
-          positions[v] = minimiser(problem.components.centroids[v], forms, v);
+          positions[v] = minimiser(problem.components.centroids[v], planes, v);
         }
       }
     });

@@ -20,7 +20,7 @@ namespace remesh
  * @return false when cancelled.
  * Cost: O(K). Parallel, deterministic.
  */
-[[nodiscard]] bool placeByQuadrics(const PlacementProblem& problem, const CellForms& forms,
+[[nodiscard]] bool placeByQuadrics(const PlacementProblem& problem, const CellQuadrics& planes,
   const RunControl& control, std::vector<Point3>& positions);
 }
 

@@ -1,6 +1,7 @@
 #include "Placement/StarFit.h"
 
 #include "Mesh/ClosestPoint.h"
+#include "Mesh/FacetGeometry.h"
 
 #include <Eigen/Core>
 
@@ -36,6 +37,7 @@ void StarFit::sum(FitSamples& samples, Offset number, StarBlock& block)
     m_slots[triangle] = noIndex;
   }
   m_entered.clear();
+  m_normals.clear();
   block.triangles.clear();
   block.sums.clear();
   const SampleBlock& sampled = samples.of(number, m_scratch);
@@ -57,6 +59,27 @@ void StarFit::sum(FitSamples& samples, Offset number, StarBlock& block)
   }
 }
 
+/** The triangle's slot in the block; noIndex without area. */
+Index StarFit::slotOf(Index triangle, StarBlock& block)
+{
+  if (m_slots[triangle] != noIndex)
+  {
+    return m_slots[triangle];
+  }
+  const auto& [i, j, k] = m_problem.triangles[triangle];
+  const Point3 normal = facetNormal(m_positions[i], m_positions[j], m_positions[k]);
+  if (normal.isZero(0.0))
+  {
+    return noIndex;
+  }
+  m_entered.push_back(triangle); // first, in case that memory runs out
+  m_normals.push_back(normal);
+  block.triangles.push_back(triangle);
+  block.sums.emplace_back();
+  m_slots[triangle] = static_cast<Index>(block.sums.size() - 1);
+  return m_slots[triangle];
+}
+
 void StarFit::enter(Index vertex, StarBlock& block)
 {
   m_center = vertex;
@@ -64,20 +87,14 @@ void StarFit::enter(Index vertex, StarBlock& block)
   for (Offset k = m_stars.begin(vertex); k < m_stars.end(vertex); ++k)
   {
     const Index t = m_stars.triangles[k];
-    if (m_normals[t].isZero(0.0))
+    const Index slot = this->slotOf(t, block);
+    if (slot == noIndex)
     {
       continue;
     }
-    if (m_slots[t] == noIndex)
-    {
-      m_entered.push_back(t); // first, in case that memory runs out
-      block.triangles.push_back(t);
-      block.sums.emplace_back();
-      m_slots[t] = static_cast<Index>(block.sums.size() - 1);
-    }
     const Triple& corners = m_problem.triangles[t];
     StarTriangle& triangle = m_star.emplace_back(StarTriangle{});
-    triangle.sums = m_slots[t];
+    triangle.sums = slot;
     triangle.corner = cornerOf(vertex, corners);
     const Point3 u = m_positions[corners[(triangle.corner + 1) % 3]] - m_positions[vertex];
     const Point3 v = m_positions[corners[(triangle.corner + 2) % 3]] - m_positions[vertex];
@@ -89,7 +106,7 @@ void StarFit::enter(Index vertex, StarBlock& block)
     {
       setRow((vv * u - uv * v) / determinant, triangle.first);
       setRow((uu * v - uv * u) / determinant, triangle.second);
-      setRow(m_normals[t], triangle.normal);
+      setRow(m_normals[slot], triangle.normal);
     }
   }
 }
@@ -104,7 +121,7 @@ void StarFit::addClosest(const SampleGroup& group, int lane, double unit, StarBl
   for (const StarTriangle& star : m_star)
   {
     const Index t = block.triangles[star.sums];
-    if (!(m_normals[t].dot(normal) > 0.0))
+    if (!(m_normals[star.sums].dot(normal) > 0.0))
     {
       continue;
     }

@@ -23,13 +23,11 @@ struct StarBlock
 class StarFit
 {
 public:
-  /** @param normals T, unit, of the triangles at their positions; zero without area. */
-  StarFit(const PlacementProblem& problem, const VertexStars& stars,
-    const std::vector<Point3>& positions, const std::vector<Point3>& normals)
+  StarFit(
+    const PlacementProblem& problem, const VertexStars& stars, const std::vector<Point3>& positions)
     : m_problem(problem)
     , m_stars(stars)
     , m_positions(positions)
-    , m_normals(normals)
     , m_slots(problem.triangles.size(), noIndex)
   {
   }
@@ -44,17 +42,18 @@ public:
   void sum(FitSamples& samples, Offset number, StarBlock& block);
 
 private:
+  Index slotOf(Index triangle, StarBlock& block);
   void enter(Index vertex, StarBlock& block);
   void addClosest(const SampleGroup& group, int lane, double unit, StarBlock& block) const;
 
   const PlacementProblem& m_problem;
   const VertexStars& m_stars;
   const std::vector<Point3>& m_positions;
-  const std::vector<Point3>& m_normals;
 
   Index m_center = noIndex;
   std::vector<Index> m_slots;       ///< T, of the block's sums; noIndex where it has none
   std::vector<Index> m_entered;     ///< triangles with a slot
+  std::vector<Point3> m_normals;    ///< of these, unit
   std::vector<StarTriangle> m_star; ///< those with area; zero where too narrow to lie above
   std::vector<Index> m_others;
   SampleBlock m_scratch; ///< samples that are not kept

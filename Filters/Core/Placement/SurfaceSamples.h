@@ -58,11 +58,11 @@ void visitParts(const std::array<Point3, 3>& corners, double area, int k, const 
 using FacetCorners = std::array<const Point3*, 3>;
 
 /** The centre of a piece. */
-inline Point3 centerOf(const PieceIntegral& integral, const FacetCorners& corners)
+inline Point3 centerOf(const PieceWeights& part, const FacetCorners& corners)
 {
-  return (integral.weights[0] * *corners[0] + integral.weights[1] * *corners[1] +
-           integral.weights[2] * *corners[2]) /
-    integral.fraction();
+  return (part.weights[0] * *corners[0] + part.weights[1] * *corners[1] +
+           part.weights[2] * *corners[2]) /
+    part.fraction();
 }
 
 /** How finely a component is cut. */
@@ -120,7 +120,7 @@ struct MeasuredPiece
       &problem.facetPoint(facet, 2) }
     , vector(doubleAreaVector(*corners[0], *corners[1], *corners[2]))
     , length(lengthOf(vector))
-    , area(0.5 * problem.diagram.integrals[piece].fraction() * length)
+    , area(0.5 * problem.diagram.weights[piece].fraction() * length)
   {
   }
 
@@ -149,7 +149,7 @@ void visitSamples(const VertexPlaces& places, const MeasuredPiece& measured, dou
   };
   if (measured.area < 2.0 * size.area)
   {
-    visitPart(centerOf(places.diagram.integrals[measured.piece], measured.corners), weight);
+    visitPart(centerOf(places.diagram.weights[measured.piece], measured.corners), weight);
     return;
   }
   double surplus = weight - measured.area; // goes to the first part

@@ -55,6 +55,8 @@ struct Task
     }
     return *this->whole;
   }
+  /** Makes room, until it is wanted again. */
+  void forgetWholeSurface() const { this->whole.reset(); }
 
   /** What the optimisation of the result's sites reads and changes. */
   Relaxation relaxation(RestrictedVoronoi& voronoi, RemeshResult& result) const

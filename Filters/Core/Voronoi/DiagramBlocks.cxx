@@ -32,7 +32,9 @@ void DiagramBlock::add(Index facet, Index site, const PieceIntegral& integral,
 {
   this->sites.push_back(site);
   this->facets.push_back(facet);
-  this->integrals.push_back(integral);
+  const double* w = integral.weights;
+  this->weights.push_back({ { w[0], w[1], w[2] } });
+  this->energies.push_back(integral.energy);
   this->sizes.push_back(static_cast<Index>(polygon.size()));
   for (const PieceVertex& vertex : polygon)
   {
@@ -44,7 +46,8 @@ void DiagramBlock::clear()
 {
   this->sites.clear();
   this->facets.clear();
-  this->integrals.clear();
+  this->weights.clear();
+  this->energies.clear();
   this->sizes.clear();
   this->across.clear();
 }
@@ -79,14 +82,16 @@ Status appendBlocks(std::vector<DiagramBlock>& blocks, double share, Diagram& di
   }
   makeRoom(diagram.sites, pieces, share);
   makeRoom(diagram.facets, pieces, share);
-  makeRoom(diagram.integrals, pieces, share);
+  makeRoom(diagram.weights, pieces, share);
+  makeRoom(diagram.energies, pieces, share);
   makeRoom(diagram.vertexBegin, pieces, share);
   makeRoom(diagram.across, vertices, share);
   for (DiagramBlock& block : blocks)
   {
     append(block.sites, diagram.sites);
     append(block.facets, diagram.facets);
-    append(block.integrals, diagram.integrals);
+    append(block.weights, diagram.weights);
+    append(block.energies, diagram.energies);
     append(block.across, diagram.across);
     for (const Index size : block.sizes)
     {

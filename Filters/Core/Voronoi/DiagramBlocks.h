@@ -15,7 +15,8 @@ struct DiagramBlock
 {
   std::vector<Index> sites;
   std::vector<Index> facets;
-  std::vector<PieceIntegral> integrals;
+  std::vector<PieceWeights> weights;
+  std::vector<double> energies;
   std::vector<Index> sizes; ///< vertices of each piece
   std::vector<Index> across;
 

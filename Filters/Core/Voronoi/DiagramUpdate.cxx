@@ -70,7 +70,8 @@ public:
     this->findRuns();
     m_diagram.vertexBegin.swap(m_vertexBegin);
     m_diagram.facetBegin.swap(m_facetBegin);
-    this->take(&Diagram::integrals, m_pieceRuns);
+    this->take(&Diagram::weights, m_pieceRuns);
+    this->take(&Diagram::energies, m_pieceRuns);
     this->take(&Diagram::facets, m_pieceRuns);
     this->take(&Diagram::sites, m_pieceRuns);
     this->take(&Diagram::across, m_vertexRuns);

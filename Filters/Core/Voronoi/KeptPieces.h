@@ -51,7 +51,7 @@ public:
     for (Offset piece = m_diagram.facetBegin[facet]; piece < m_diagram.facetBegin[facet + 1];
          ++piece)
     {
-      visit(m_later[m_diagram.sites[piece]], m_diagram.integrals[piece]);
+      visit(m_later[m_diagram.sites[piece]], m_diagram.integralOf(piece));
     }
   }
 

@@ -14,6 +14,15 @@
 
 namespace remesh
 {
+/** Which part of its facet a piece is. */
+struct PieceWeights
+{
+  double weights[3] = { 0.0, 0.0, 0.0 }; ///< of the facet's corners: centroid = sum w p / sum w
+
+  /** Share of the facet's area. */
+  double fraction() const { return this->weights[0] + this->weights[1] + this->weights[2]; }
+};
+
 struct PieceIntegral
 {
   double weights[3] = { 0.0, 0.0, 0.0 }; ///< of the facet's corners: centroid = sum w p / sum w

@@ -18,7 +18,7 @@ bool forEachPiece(const Diagram& diagram, const RunControl& control, const Add& 
     {
       return false;
     }
-    add(p, diagram.facets[p], diagram.integrals[p]);
+    add(p, diagram.facets[p], diagram.integralOf(p));
   }
   return true;
 }
