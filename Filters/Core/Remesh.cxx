@@ -82,7 +82,7 @@ void keepForPlacement(const Task& task, RemeshResult& result)
     result.diagram.energies = std::vector<double>();
     result.components.ofPiece = std::vector<Index>();
   }
-  if (task.options.placement > VertexPlacement::Surface)
+  if (task.options.placement >= VertexPlacement::Fit)
   {
     task.forgetWholeSurface(); // the fit takes as much
   }

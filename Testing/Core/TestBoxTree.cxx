@@ -76,11 +76,22 @@ void checkTree(Index count)
     0, count - 1, Point3::Zero(), [](double) { return true; }, [&](Index) { ++all; });
   CHECK_EQUAL(all, count);
 }
+
+/** The tree of a cancelled run is empty, and a search in it finds nothing. */
+void testCancelled()
+{
+  const BoxTree tree(100, RunControl([](double, const char*) {}, [] { return true; }),
+    [](Index, Point3&, Point3&) {});
+  CHECK(tree.empty());
+  tree.visitLeaves(
+    0, 99, Point3::Zero(), [](double) { return true; }, [](Index) { CHECK(false); });
+}
 }
 
 int TestBoxTree(int, char*[])
 {
   CHECK(treeOf({}).empty());
+  testCancelled();
   for (const Index count : { 1, 7, 8, 9, 64, 65, 511, 5000 })
   {
     checkTree(count);

@@ -1,5 +1,6 @@
-// What a run holds at its peak, by facets and by sites: what a step no longer needs makes room for
-// the next one.
+// What a default run holds at its peak, which is in the fit, by facets and by sites: what it does
+// not read makes room for it. Peaks of other steps, and of the preparation, are lower and not seen
+// here.
 #include "Remesh.h"
 #include "TestPlacements.h"
 

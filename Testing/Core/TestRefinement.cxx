@@ -358,7 +358,8 @@ void testRows()
   RefinedSurface refined;
   std::vector<Point3> fine;
   CHECK(refineForNormals(own, nullptr, 0.4, 1000, RunControl(), refined, fine));
-  const CornerCoordinates made = interpolateCorners(mesh, refined.mesh, refined.origins, rows);
+  const CornerCoordinates made =
+    interpolateCorners(mesh, refined.mesh, FacetOrigins(refined.origins), rows);
   CHECK_EQUAL(made.count(), refined.mesh.numberOfCorners());
   for (Index c = 0; c < refined.mesh.numberOfCorners(); ++c)
   {

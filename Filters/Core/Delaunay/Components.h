@@ -18,7 +18,7 @@ namespace remesh
 {
 struct Components
 {
-  std::vector<Index> ofPiece;     ///< P, component of each piece of the diagram
+  std::vector<Index> ofPiece;     ///< P, component of each piece; or freed (Remesh.cxx)
   std::vector<Index> sites;       ///< K, ascending; the first of several copies
   std::vector<Index> ranks;       ///< K, 0, 1, ... among the components of the same site
   std::vector<Offset> pieceBegin; ///< K + 1, into `pieces`

@@ -38,7 +38,7 @@ public:
 
   /**
    * @param boxOf `boxOf(leaf, lower, upper)` widens the box for what is in a leaf; from any thread.
-   * @param control asked for cancellation; the tree of a cancelled run is of no use.
+   * @param control asked for cancellation; the tree of a cancelled run is empty.
    * Cost: O(leaves), in parallel; 55 bytes for each.
    */
   template <class BoxOf>
@@ -54,6 +54,10 @@ public:
       goesOn = this->addLevel(static_cast<Index>(m_levels.back().size()), control,
         [&, below = m_levels.size() - 1](Index node, Point3& lower, Point3& upper)
         { widen(m_levels[below][node], lower, upper); });
+    }
+    if (!goesOn)
+    {
+      m_levels.clear();
     }
   }
 
@@ -84,6 +88,10 @@ public:
   void visitLeaves(
     Index first, Index last, const Point3& point, const Reaches& reaches, const Visit& visit) const
   {
+    if (this->empty())
+    {
+      return;
+    }
     int level = 0;
     while (ancestor(first, level + 1) != ancestor(last, level + 1))
     {

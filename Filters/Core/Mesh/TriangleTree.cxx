@@ -98,10 +98,6 @@ template <class Reaches, class Visit>
 void TriangleTree::visitLeaves(
   const Point3& point, const Reaches& reaches, const Visit& visit) const
 {
-  if (this->empty())
-  {
-    return;
-  }
   m_boxes.visitLeaves(0, this->leaves() - 1, point, reaches,
     [&](Index leaf)
     {
@@ -273,7 +269,7 @@ void TriangleTree::findClosest(Packet& packet) const
   }
   Pending pending[BoxTree::maxPending];
   int size = 0;
-  if (!this->empty())
+  if (!m_boxes.empty())
   {
     pending[size++] = m_boxes.root();
   }

@@ -24,7 +24,7 @@ std::vector<float> findReaches(const SurfaceMesh& mesh, const RunControl& contro
 {
   using Limits = std::numeric_limits<float>;
   std::vector<float> reaches(mesh.facetPoints.size());
-  const bool done = forEachItem(static_cast<Offset>(reaches.size()), control,
+  static_cast<void>(forEachItem(static_cast<Offset>(reaches.size()), control,
     [&](Offset f)
     {
       const auto& [a, b, c] = mesh.facetPoints[f];
@@ -33,13 +33,19 @@ std::vector<float> findReaches(const SurfaceMesh& mesh, const RunControl& contro
         std::max((mesh.points[b] - first).squaredNorm(), (mesh.points[c] - first).squaredNorm()));
       reaches[f] = std::nextafter(
         static_cast<float>(std::min<double>(reach, Limits::max())), Limits::infinity());
-    });
-  return done ? reaches : std::vector<float>(reaches.size(), 0.0F);
+    }));
+  return reaches;
 }
 
-/** Boxes of runs of pieces, as they are grouped by components. */
+/** Boxes of runs of pieces, as they are grouped by components; none if all of these are small. */
 BoxTree findBoxes(const PlacementProblem& problem, Index runLength, const RunControl& control)
 {
+  const std::vector<Offset>& begins = problem.components.pieceBegin;
+  const auto isLarge = [](Offset begin, Offset end) { return end - begin > fewPieces; };
+  if (std::adjacent_find(begins.begin(), begins.end(), isLarge) == begins.end())
+  {
+    return {};
+  }
   const std::vector<Index>& pieces = problem.components.pieces;
   const auto count = static_cast<Offset>(pieces.size());
   return BoxTree(static_cast<Index>((count + runLength - 1) / runLength), control,

@@ -44,7 +44,7 @@ public:
    * @param minHeight unit of the points; triangles less high, and far less than long, have no
    *        normal.
    * @param control asked for cancellation; after a cancelled run nothing that is found is of use.
-   * Cost: O(F + P), in parallel; 4 bytes a facet and 4 a piece.
+   * Cost: O(F + P), in parallel; 4 bytes a facet, and 4 a piece where cells have many.
    */
   NearbySurface(const PlacementProblem& problem, const RunControl& control, double minHeight = 0.0);
 

@@ -135,7 +135,7 @@ void refineSurface(const PreparationRequest& request, const NormalSource& source
     return;
   }
   prepared.input = InputSurface{ std::move(prepared.mesh), std::move(prepared.features),
-    std::move(refined.origins) };
+    FacetOrigins(refined.origins) };
   prepared.mesh = std::move(refined.mesh);
   prepared.features = std::move(refined.features);
   prepared.normals = std::move(normals);
@@ -216,14 +216,15 @@ void takeRefined(RefinedSurface refined, PreparedSurface& prepared)
   {
     normals.values.insert(normals.values.end(), normal.data(), normal.data() + 3);
   }
-  normals = interpolateCorners(prepared.mesh, refined.mesh, refined.origins, normals);
+  FacetOrigins origins(refined.origins);
+  normals = interpolateCorners(prepared.mesh, refined.mesh, origins, normals);
   prepared.normals.resize(refined.mesh.cornerPoints.size());
   for (std::size_t c = 0; c < prepared.normals.size(); ++c)
   {
     prepared.normals[c] = Point3(&normals.values[3 * c]).stableNormalized();
   }
-  prepared.input = InputSurface{ std::move(prepared.mesh), std::move(prepared.features),
-    std::move(refined.origins) };
+  prepared.input =
+    InputSurface{ std::move(prepared.mesh), std::move(prepared.features), std::move(origins) };
   prepared.mesh = std::move(refined.mesh);
   prepared.features = std::move(refined.features);
 }

@@ -54,7 +54,7 @@ class FacetOrigins
 {
 public:
   FacetOrigins() = default;
-  FacetOrigins(const std::vector<FacetOrigin>& origins); // NOLINT: the same, kept
+  explicit FacetOrigins(const std::vector<FacetOrigin>& origins);
 
   std::size_t size() const { return m_facets.size(); }
   FacetOrigin operator[](std::size_t facet) const

@@ -51,7 +51,7 @@ std::vector<Index> failingComponents(const Certificate& certificate)
 
 RunControl afterDiagram(const RunControl& control)
 {
-  return control.named("Dual mesh");
+  return control.named("Dual mesh and repairs");
 }
 
 SiteCandidate::SiteCandidate(const Task& task, bool othersStay, RemeshResult& result)
@@ -66,14 +66,11 @@ Status SiteCandidate::judge(const RunControl& control)
 {
   Stopwatch watch;
   Status status = this->findDiagram(control.step(0, 2));
-  const RunControl rest = afterDiagram(control.step(1, 2)); // its scratch is free
   if (status.ok())
   {
+    const RunControl rest = afterDiagram(control.step(1, 2)); // the diagram's scratch is free
     status = this->measureSurface(control.silent());
-  }
-  if (status.ok())
-  {
-    status = this->findDual(rest);
+    status = status.ok() ? this->findDual(rest) : status;
   }
   m_result.seconds.diagram += watch.lap();
   if (status.ok() && this->mayChange())

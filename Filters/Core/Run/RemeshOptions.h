@@ -45,7 +45,9 @@ struct RemeshOptions
   double maxCurveError = std::numeric_limits<double>::infinity();
   /** Whether features get more points where they bend. False: by their length in R^d alone. */
   bool curvesFollowBends = true;
-  /** False: the diagram is freed once the vertices are placed, as it takes much memory. */
+  /** False: the diagram, and which component a piece is of, are freed as soon as nothing reads
+   * them.
+   */
   bool keepDiagram = true;
   /** The processes that share integrals and distances; nullptr: this process does it all. */
   Ranks* ranks = nullptr;

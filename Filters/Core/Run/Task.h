@@ -44,7 +44,7 @@ struct Task
    */
   const MetricField* metric = nullptr;
 
-  /** Finds closest facets of the whole surface. Made by the first call of `wholeSurface`. */
+  /** Finds closest facets of the whole surface. Made by `wholeSurface`, where there is none. */
   mutable std::shared_ptr<const WholeSurface> whole = nullptr;
 
   const WholeSurface& wholeSurface(const RunControl& control) const

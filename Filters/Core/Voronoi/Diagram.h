@@ -25,7 +25,7 @@ struct Diagram
   std::vector<Index> sites;          ///< P
   std::vector<Index> facets;         ///< P
   std::vector<PieceWeights> weights; ///< P
-  std::vector<double> energies;      ///< P, integrals of |x - x_i|^2 over the facets' masses
+  std::vector<double> energies;      ///< P, as in PieceIntegral; or freed (Remesh.cxx)
   std::vector<Index> vertexBegin;    ///< P + 1, into the vertices
   /** V, site beyond the edge that starts at a vertex, or -1 - k on the facet's edge k. */
   std::vector<Index> across;
@@ -33,8 +33,7 @@ struct Diagram
   Offset numberOfPieces() const { return static_cast<Offset>(this->sites.size()); }
   PieceIntegral integralOf(Offset piece) const
   {
-    const double* w = this->weights[piece].weights;
-    return { { w[0], w[1], w[2] }, this->energies[piece] };
+    return { this->weights[piece], this->energies[piece] };
   }
   Offset numberOfVertices() const { return static_cast<Offset>(this->across.size()); }
 

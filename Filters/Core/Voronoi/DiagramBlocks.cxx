@@ -32,8 +32,7 @@ void DiagramBlock::add(Index facet, Index site, const PieceIntegral& integral,
 {
   this->sites.push_back(site);
   this->facets.push_back(facet);
-  const double* w = integral.weights;
-  this->weights.push_back({ { w[0], w[1], w[2] } });
+  this->weights.push_back(integral);
   this->energies.push_back(integral.energy);
   this->sizes.push_back(static_cast<Index>(polygon.size()));
   for (const PieceVertex& vertex : polygon)

@@ -23,13 +23,9 @@ struct PieceWeights
   double fraction() const { return this->weights[0] + this->weights[1] + this->weights[2]; }
 };
 
-struct PieceIntegral
+struct PieceIntegral : PieceWeights
 {
-  double weights[3] = { 0.0, 0.0, 0.0 }; ///< of the facet's corners: centroid = sum w p / sum w
-  double energy = 0.0;                   ///< integral of |x - x_i|^2 over the facet's mass
-
-  /** Share of the facet's area. */
-  double fraction() const { return this->weights[0] + this->weights[1] + this->weights[2]; }
+  double energy = 0.0; ///< integral of |x - x_i|^2 over the facet's mass
 };
 
 /** A piece of site `slot`. O(vertices). */
