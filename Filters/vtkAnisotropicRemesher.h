@@ -44,13 +44,13 @@
  * - Same input, parameters and seed give the same output: see vtkRestrictedVoronoiAlgorithm.
  *
  * @par Limits:
- * Where the mesh is not proven to have the topology of the surface (see `TopologyPreserved`), as on
- * thin parts and at tips, sites are added, and those that matter least are taken away, until it is
- * or nothing helps any more; then the mesh may have more points (`MaximumNumberOfExtraPoints`). If
- * even that fails, the best of these meshes is given back, with a warning. Sites are sent to
- * triangles that face against the surface, likewise, and to strays, if they are few; a warning
- * tells of those that are left. All this is no part of the optimisation: `Convergence` ends before
- * it, and nothing is changed when both numbers of iterations are 0.
+ * The mesh may not be proven to have the topology of the surface (see `TopologyPreserved`), as on
+ * thin parts and at tips. Then sites are added, and those that matter least are taken away, until
+ * it is proven or nothing helps any more. After that the mesh may have more points
+ * (`MaximumNumberOfExtraPoints`). If even that fails, the best of these meshes is given back, with
+ * a warning. Likewise, sites are sent to triangles that face against the surface, and to strays, if
+ * they are few; a warning tells of those that are left. All this is no part of the optimisation:
+ * `Convergence` ends before it, and nothing is changed when both numbers of iterations are 0.
  *
  * There is a warning, too, where the RMS distance is above a tenth of the points' mean spacing,
  * unless `MeasureDistance` is off, a tolerance is set, or initial sites are given: the mesh then
@@ -164,13 +164,13 @@ public:
    * it has more points than asked for where restricted cells are not connected.
    *
    * Features take points of their own, which count among `NumberOfPoints`. Along a crease or border
-   * they are as far apart as those of the mesh beside it, in the embedding; four fifths of that
-   * where it bends, and nearer where it turns by more than 23 degrees, or rises by more than a
-   * twentieth of an edge, from one to the next, or a distance tolerance asks for it. With an
-   * `EmbeddingArray` or a `MetricArray` they follow that alone. Bends get a third of the points at
-   * most, if there is room; where corners and bends need more than half, there is a warning. Curves
-   * close to each other have their points opposite each other where that takes few more, and get
-   * more where these are not enough to keep them apart.
+   * they are as far apart as those of the mesh beside it, in the embedding, and
+   * four fifths as far where it bends. They are nearer where it turns by more than 23 degrees from
+   * one to the next, where it rises by more than a twentieth of an edge, and where a distance
+   * tolerance asks for it. With an `EmbeddingArray` or a `MetricArray` they follow that alone.
+   * Bends get a third of the points at most, if there is room; where corners and bends need more
+   * than half, there is a warning. Curves close to each other have their points opposite each other
+   * where that takes few more, and get more where these are not enough to keep them apart.
    *
    * The points on creases and borders do not take part in the optimisation. With the vertex
    * placement Fit they go across them to where the edges are closest to the surface's; else they
