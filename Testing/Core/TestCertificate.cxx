@@ -29,7 +29,7 @@ Certificate certificateOf(
 {
   Certificate certificate;
   CHECK(certify(
-    { surface, made.edges, result.diagram, made.components }, made.dual, RunControl(), certificate)
+    { surface, made.joins, result.diagram, made.components }, made.dual, RunControl(), certificate)
           .ok());
   return certificate;
 }
@@ -40,7 +40,7 @@ std::vector<int> eulerCharacteristics(const SurfaceMesh& mesh, const EmbeddedSur
 {
   DiagramPoints points;
   CHECK(numberDiagramPoints(
-    mesh, made.edges, { surface, result.sites, result.diagram }, RunControl(), points)
+    mesh, made.joins.edges, { surface, result.sites, result.diagram }, RunControl(), points)
           .ok());
   std::vector<int> characteristics;
   for (Index k = 0; k < made.components.count(); ++k)
@@ -88,7 +88,7 @@ void checkRandomSites(const TriangleSoup& soup, int dimension, Offset most, Coun
     const test::Computed result = test::computed(surface, sites);
     const test::DualOf made = test::dualOf(mesh, surface, result);
     std::vector<char> isDisk;
-    CHECK(findDisks({ surface, made.edges, result.diagram, made.components }, RunControl(), isDisk)
+    CHECK(findDisks({ surface, made.joins, result.diagram, made.components }, RunControl(), isDisk)
             .ok());
     const std::vector<int> expected = eulerCharacteristics(mesh, surface, result, made);
     CHECK_EQUAL(isDisk.size(), expected.size());

@@ -14,7 +14,7 @@ namespace remesh::test
 {
 struct DualOf
 {
-  EdgeTable edges;
+  FacetJoins joins;
   Components components;
   Dual dual;
 
@@ -25,9 +25,9 @@ inline DualOf dualOf(
   const SurfaceMesh& mesh, const EmbeddedSurface& surface, const Computed& result)
 {
   DualOf made;
-  made.edges = buildEdgeTable(mesh.facetPoints);
+  made.joins = joinFacets(surface, buildEdgeTable(mesh.facetPoints), RunControl());
   CHECK(
-    findComponents({ mesh, { surface, result.sites, result.diagram }, made.edges, result.owners },
+    findComponents({ mesh, { surface, result.sites, result.diagram }, made.joins, result.owners },
       RunControl(), made.components)
       .ok());
   CHECK(buildDual(result.diagram, made.components, RunControl(), made.dual).ok());

@@ -52,13 +52,19 @@ struct Framed
     this->featureSites = makeFeatureSites(this->view(), stations);
   }
 
+  FacetJoins joins() const
+  {
+    return joinFacets(
+      this->surface, buildCutEdgeTable(this->mesh, &this->features, RunControl()), RunControl());
+  }
+
   Seams sew() const
   {
     const Sites& sites = this->featureSites.sites;
     const test::Computed cells = test::computed(this->surface, sites);
-    const EdgeTable edges = buildCutEdgeTable(this->mesh, &this->features, RunControl());
+    const FacetJoins joins = this->joins();
     Components components;
-    CHECK(findComponents({ this->mesh, { this->surface, sites, cells.diagram }, edges, cells.owners,
+    CHECK(findComponents({ this->mesh, { this->surface, sites, cells.diagram }, joins, cells.owners,
                            &this->featureSites },
       RunControl(), components)
             .ok());
@@ -192,11 +198,11 @@ void testCoarseSections()
   Framed strip(strips(1, 0.05), 0.0);
   strip.divide([&](const FeatureCurve& curve)
     { return strip.mesh.points[curve.points[1]].y() == 0.0 ? 20 : 1; });
-  const EdgeTable edges = buildCutEdgeTable(strip.mesh, &strip.features, RunControl());
+  const FacetJoins joins = strip.joins();
   const Sites& sites = strip.featureSites.sites;
   const test::Computed cells = test::computed(strip.surface, sites);
   Components components;
-  CHECK(findComponents({ strip.mesh, { strip.surface, sites, cells.diagram }, edges, cells.owners,
+  CHECK(findComponents({ strip.mesh, { strip.surface, sites, cells.diagram }, joins, cells.owners,
                          &strip.featureSites },
     RunControl(), components)
           .ok());

@@ -83,7 +83,7 @@ void testMovesOnlyDonors()
     const test::Computed result = test::computed(surface, sites);
     const test::DualOf made = test::dualOf(mesh, surface, result);
     Certificate certificate;
-    CHECK(certify({ surface, made.edges, result.diagram, made.components }, made.dual, RunControl(),
+    CHECK(certify({ surface, made.joins, result.diagram, made.components }, made.dual, RunControl(),
       certificate)
             .ok());
     const VertexPlaces places{ surface, result.sites, result.diagram };

@@ -9,7 +9,6 @@
 #include "Delaunay/CellDisks.h"
 
 #include "Support/DisjointSets.h"
-#include "Support/Grouping.h"
 
 #include <algorithm>
 
@@ -26,44 +25,20 @@ class DiskFinder
 {
 public:
   explicit DiskFinder(const CellComplex& cells)
-    : m_surface(cells.surface)
-    , m_edges(cells.edges)
+    : m_joins(cells.joins)
     , m_diagram(cells.diagram)
     , m_components(cells.components)
     , m_seams(cells.seams)
-    , m_firstFacets(static_cast<std::size_t>(m_surface.numberOfCorners()))
-    , m_onBorder(static_cast<std::size_t>(m_surface.numberOfCorners()), 0)
-    , m_inSeam(static_cast<std::size_t>(m_components.count()), 0)
-    , m_isPinched(m_inSeam.size(), 0)
-    , m_hasCollar(m_inSeam.size(), 0)
-    , m_fromCollar(m_inSeam.size(), 0)
-  {
-  }
-
-  bool prepare(const RunControl& control)
+    , m_isPinched(static_cast<std::size_t>(m_components.count()), 0)
+    , m_hasCollar(m_isPinched.size(), 0)
+    , m_meetsCollar(m_isPinched.size(), 0)
+    , m_fromCollar(m_isPinched.size(), 0)
+    , m_parts(m_diagram.sites.size() + m_isPinched.size())
   {
     this->prepareSeams();
-    for (Index edge = 0; edge < m_edges.numberOfEdges(); ++edge)
-    {
-      if (m_edges.valence(edge) == 1)
-      {
-        const Index facet = m_edges.edgeFacets[m_edges.edgeFacetsBegin[edge]];
-        const int k = m_edges.sideOf(facet, edge);
-        m_onBorder[m_surface.facetCorners[facet][k]] = 1;
-        m_onBorder[m_surface.facetCorners[facet][(k + 1) % 3]] = 1;
-      }
-    }
-    return forEachItem(m_surface.numberOfFacets(), control,
-      [&](Offset facet)
-      {
-        for (const Index corner : m_surface.facetCorners[facet])
-        {
-          m_firstFacets.add(static_cast<std::size_t>(corner), facet);
-        }
-      });
   }
 
-  bool isDisk(Index component) const
+  bool isDisk(Index component)
   {
     Index sum = m_fromCollar[component];
     bool ofOneSite = true;
@@ -72,17 +47,12 @@ public:
     for (Offset p = begin; p < end; ++p)
     {
       const Index piece = m_components.pieces[p];
-      sum += whole;
-      for (Offset v = m_diagram.vertexBegin[piece]; v < m_diagram.vertexBegin[piece + 1]; ++v)
-      {
-        sum += this->sideShare(component, piece, m_diagram.across[v]);
-        sum += this->vertexShare(
-          component, piece, m_diagram.acrossIncoming(piece, v), m_diagram.across[v]);
-      }
+      sum += this->pieceShare(component, piece);
       ofOneSite =
         ofOneSite && m_diagram.sites[piece] == m_diagram.sites[m_components.pieces[begin]];
     }
-    const Index parts = ofOneSite && !m_inSeam[component] ? 1 : this->countParts(component);
+    const Index parts =
+      ofOneSite ? 1 + this->isCollarApart(component) : this->countParts(component);
     return sum == whole * parts && (parts == 1 || m_isPinched[component]);
   }
 
@@ -99,7 +69,6 @@ private:
       if (const Index component = m_seams->components[p]; component != noIndex)
       {
         const CollarShape shape = m_seams->collars[p];
-        m_inSeam[component] = 1;
         m_hasCollar[component] = shape != CollarShape::None;
         m_fromCollar[component] += shape == CollarShape::Disk ? whole : 0;
       }
@@ -107,7 +76,9 @@ private:
     m_seams->forEachPinch([&](Index component, const Pinch&) { m_isPinched[component] = 1; });
     for (const Contact& contact : m_seams->contacts)
     {
-      m_fromCollar[m_components.ofPiece[contact.piece]] += ofTwo * (contact.innerEnds - 2);
+      const Index component = m_components.ofPiece[contact.piece];
+      m_meetsCollar[component] = 1;
+      m_fromCollar[component] += ofTwo * (contact.innerEnds - 2);
       m_contacts.push_back(contact.piece);
     }
     std::sort(m_contacts.begin(), m_contacts.end());
@@ -119,10 +90,36 @@ private:
     return piece >= 0 && m_components.ofPiece[piece] == component;
   }
 
-  bool isInside(Index facet, Index side) const
+  /** All that a piece adds: of a whole facet, the surface tells it. */
+  Index pieceShare(Index component, Index piece) const
   {
-    return m_edges.valence(m_edges.facetEdges[facet][-1 - side]) == 2;
+    const Index facet = m_diagram.facets[piece];
+    if (m_diagram.hasOnePiece(facet))
+    {
+      return this->facetShare(facet);
+    }
+    Index sum = whole;
+    for (Offset v = m_diagram.vertexBegin[piece]; v < m_diagram.vertexBegin[piece + 1]; ++v)
+    {
+      sum += this->sideShare(component, piece, m_diagram.across[v]);
+      sum += this->vertexShare(
+        component, piece, m_diagram.acrossIncoming(piece, v), m_diagram.across[v]);
+    }
+    return sum;
   }
+
+  Index facetShare(Index facet) const
+  {
+    Index sum = whole;
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += whole * m_joins.countsCorner(facet, k) - ofTwo * m_joins.isInnerSide(facet, k);
+    }
+    return sum;
+  }
+
+  /** @param side -1 - k. */
+  bool isInside(Index facet, Index side) const { return m_joins.isInnerSide(facet, -1 - side); }
 
   Index sideShare(Index component, Index piece, Index across) const
   {
@@ -137,8 +134,7 @@ private:
     const Index facet = m_diagram.facets[piece];
     if (incoming < 0 && outgoing < 0)
     {
-      const Index corner = m_surface.facetCorners[facet][-1 - outgoing];
-      return !m_onBorder[corner] && m_firstFacets[corner] == facet ? whole : 0;
+      return m_joins.countsCorner(facet, -1 - outgoing) ? whole : 0;
     }
     if (incoming >= 0 && outgoing >= 0)
     {
@@ -164,55 +160,58 @@ private:
     {
       return -1;
     }
-    const Index edge = m_edges.facetEdges[facet][-1 - across];
-    const Index* around = m_edges.edgeFacets.data() + m_edges.edgeFacetsBegin[edge];
+    const EdgeTable& edges = m_joins.edges;
+    const Index edge = edges.facetEdges[facet][-1 - across];
+    const Index* around = edges.edgeFacets.data() + edges.edgeFacetsBegin[edge];
     return m_diagram.pieceOf(around[around[0] == facet ? 1 : 0], m_diagram.sites[piece]);
   }
 
-  /** Walks from piece to piece, and through the collar. */
-  Index countParts(Index component) const
+  bool isCollarApart(Index component) const
   {
-    const auto begin = m_components.pieces.begin() + m_components.pieceBegin[component];
-    const auto end = m_components.pieces.begin() + m_components.pieceBegin[component + 1];
-    const auto count = static_cast<Index>(end - begin);
-    DisjointSets sets(static_cast<std::size_t>(count) + 1); // the last is the collar
-    for (Index k = 0; k < count; ++k)
+    return m_hasCollar[component] && !m_meetsCollar[component];
+  }
+
+  /** Walks from piece to piece, and through the collar. */
+  Index countParts(Index component)
+  {
+    const auto collar = static_cast<Index>(m_diagram.numberOfPieces()) + component;
+    const Offset begin = m_components.pieceBegin[component];
+    const Offset end = m_components.pieceBegin[component + 1];
+    for (Offset p = begin; p < end; ++p)
     {
-      const Index piece = begin[k];
+      const Index piece = m_components.pieces[p];
       for (Offset v = m_diagram.vertexBegin[piece]; v < m_diagram.vertexBegin[piece + 1]; ++v)
       {
-        const Offset other = this->pieceBeyond(piece, m_diagram.across[v]);
-        if (other >= 0 && m_components.ofPiece[other] == component)
+        // A lower one; from a higher one, this piece is met.
+        const auto other = static_cast<Index>(this->pieceBeyond(piece, m_diagram.across[v]));
+        if (other >= 0 && other < piece && m_components.ofPiece[other] == component)
         {
-          const auto found = std::lower_bound(begin, end, static_cast<Index>(other));
-          sets.unite(k, static_cast<Index>(found - begin));
+          m_parts.unite(piece, other);
         }
       }
       if (std::binary_search(m_contacts.begin(), m_contacts.end(), piece))
       {
-        sets.unite(k, count);
+        m_parts.unite(piece, collar);
       }
     }
-    Index parts = 0;
-    for (Index k = 0; k < count + m_hasCollar[component]; ++k)
+    Index parts = this->isCollarApart(component) ? 1 : 0;
+    for (Offset p = begin; p < end; ++p)
     {
-      parts += sets.isLowest(k);
+      parts += m_parts.isLowest(m_components.pieces[p]);
     }
     return parts;
   }
 
-  const EmbeddedSurface& m_surface;
-  const EdgeTable& m_edges;
+  const FacetJoins& m_joins;
   const Diagram& m_diagram;
   const Components& m_components;
   const Seams* m_seams;
-  LowestItems m_firstFacets;
-  std::vector<char> m_onBorder; ///< corners on edges of one facet
-  std::vector<char> m_inSeam;   ///< components of vertices on features
-  std::vector<char> m_isPinched;
+  std::vector<char> m_isPinched; ///< components, as all that follows but for `m_contacts`
   std::vector<char> m_hasCollar;
+  std::vector<char> m_meetsCollar; ///< some piece does
   std::vector<Index> m_fromCollar; ///< components: what the collar adds
   std::vector<Index> m_contacts;   ///< pieces that meet their own collar, ascending
+  DisjointSets m_parts;            ///< of pieces, and of each component's collar behind them
 };
 }
 
@@ -221,9 +220,8 @@ Status findDisks(const CellComplex& cells, const RunControl& control, std::vecto
   DiskFinder finder(cells);
   const Index count = cells.components.count();
   isDisk.resize(static_cast<std::size_t>(count));
-  const bool done = finder.prepare(control) &&
-    forEachItem(Blocks::cut(count, 256, 4096), control,
-      [&](Offset k) { isDisk[k] = finder.isDisk(static_cast<Index>(k)); });
+  const bool done = forEachItem(Blocks::cut(count, 256, 4096), control,
+    [&](Offset k) { isDisk[k] = finder.isDisk(static_cast<Index>(k)); });
   return done ? Status::success() : Status::cancelled();
 }
 }

@@ -6,7 +6,7 @@
 #define remesh_CellDisks_h
 
 #include "Delaunay/Collar.h"
-#include "Mesh/EdgeTable.h"
+#include "Delaunay/FacetJoins.h"
 
 namespace remesh
 {
@@ -14,7 +14,7 @@ namespace remesh
 struct CellComplex
 {
   const EmbeddedSurface& surface;
-  const EdgeTable& edges; ///< of the surface as it is embedded (cut open along features)
+  const FacetJoins& joins;
   const Diagram& diagram;
   const Components& components;
   const Seams* seams = nullptr; ///< if there are features

@@ -14,14 +14,14 @@ using Pair = std::pair<Index, Index>;
 template <class Add>
 void addOnEdge(const CellComplex& cells, Index facet, Index edge, const Add& add)
 {
-  const auto& [surface, edges, diagram, components, seams] = cells;
+  const auto& [surface, joins, diagram, components, seams] = cells;
   for (Offset p = diagram.facetBegin[facet]; p < diagram.facetBegin[facet + 1]; ++p)
   {
     for (Offset v = diagram.vertexBegin[p]; v < diagram.vertexBegin[p + 1]; ++v)
     {
       const Index incoming = diagram.acrossIncoming(p, v);
       if (const Index side = diagram.across[v];
-          incoming >= 0 && side < 0 && edges.facetEdges[facet][-1 - side] == edge)
+          incoming >= 0 && side < 0 && joins.edges.facetEdges[facet][-1 - side] == edge)
       {
         add(components.ofPiece[p], components.ofPiece[diagram.pieceOf(facet, incoming)]);
       }
@@ -32,7 +32,7 @@ void addOnEdge(const CellComplex& cells, Index facet, Index edge, const Add& add
 /** The two components beside each point where the border of the surface passes between cells. */
 std::vector<Pair> findCrossings(const CellComplex& cells)
 {
-  const EdgeTable& edges = cells.edges;
+  const EdgeTable& edges = cells.joins.edges;
   const Seams* seams = cells.seams;
   std::vector<Pair> crossings;
   const auto add = [&](Index a, Index b)

@@ -35,30 +35,23 @@ void joinAcrossEdges(
   }
 }
 
-/**
- * Joins the pieces around each corner: all belong to the cell that owns it. Each is joined to the
- * first that was met there, whichever that is.
- */
-bool joinAroundCorners(const EmbeddedSurface& surface, const Diagram& diagram,
-  const std::vector<Index>& owners, const RunControl& control, DisjointSets& sets)
+/** Joins the pieces around each corner: all belong to the cell that owns it. */
+void joinAroundCorners(const JoinedDiagram& joined, Index facet, DisjointSets& sets)
 {
-  std::vector<std::atomic<Index>> metPieces(owners.size());
-  return forEachItem(static_cast<Offset>(owners.size()), control,
-           [&](Offset corner) { metPieces[corner].store(noIndex, std::memory_order_relaxed); }) &&
-    forEachItem(surface.numberOfFacets(), control,
-      [&](Offset f)
+  const Diagram& diagram = joined.places.diagram;
+  for (const Index corner : joined.places.surface.facetCorners[facet])
+  {
+    if (const Index first = joined.joins.firstFacets[corner]; first != facet)
+    {
+      const Index owner = joined.owners[corner];
+      const Offset piece = diagram.pieceOf(facet, owner);
+      const Offset other = diagram.pieceOf(first, owner);
+      if (piece >= 0 && other >= 0)
       {
-        const auto facet = static_cast<Index>(f);
-        for (const Index corner : surface.facetCorners[facet])
-        {
-          const auto piece = static_cast<Index>(diagram.pieceOf(facet, owners[corner]));
-          Index met = noIndex;
-          if (piece >= 0 && !metPieces[corner].compare_exchange_strong(met, piece))
-          {
-            sets.unite(met, piece);
-          }
-        }
-      });
+        sets.unite(static_cast<Index>(piece), static_cast<Index>(other));
+      }
+    }
+  }
 }
 
 /** Joins the pieces of all copies of a feature's site at its place. */
@@ -214,8 +207,9 @@ Status findComponents(
   DisjointSets sets(diagram.sites.size());
   if (!forEachItem(diagram.numberOfPieces(), silent,
         [&](Offset piece)
-        { joinAcrossEdges(joined.edges, diagram, static_cast<Index>(piece), sets); }) ||
-    !joinAroundCorners(joined.places.surface, diagram, joined.owners, silent, sets))
+        { joinAcrossEdges(joined.joins.edges, diagram, static_cast<Index>(piece), sets); }) ||
+    !forEachItem(joined.mesh.numberOfFacets(), silent,
+      [&](Offset facet) { joinAroundCorners(joined, static_cast<Index>(facet), sets); }))
   {
     return Status::cancelled();
   }

@@ -9,6 +9,7 @@
 #ifndef remesh_Components_h
 #define remesh_Components_h
 
+#include "Delaunay/FacetJoins.h"
 #include "Features/FeatureSites.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
@@ -38,7 +39,7 @@ struct JoinedDiagram
 {
   const SurfaceMesh& mesh;
   VertexPlaces places;
-  const EdgeTable& edges;                 ///< of the surface as it is embedded
+  const FacetJoins& joins;
   const std::vector<Index>& owners;       ///< C, the site that owns each corner
   const FeatureSites* features = nullptr; ///< the sites on features, if there are any
 };

@@ -91,7 +91,7 @@ Status SiteCandidate::judge(const RunControl& control)
 Status SiteCandidate::countFacing(const RunControl& control)
 {
   m_countsFacing = true;
-  m_edges = EdgeTable{}; // found again where sites change, which is rare from now on
+  m_joins = FacetJoins{}; // found again where sites change, which is rare from now on
   m_start = m_verdict;
   m_start.reserve = std::numeric_limits<Offset>::max();
   const Status status = this->countWrong(control);
@@ -141,12 +141,14 @@ Status SiteCandidate::findDiagram(const RunControl& control)
   return status;
 }
 
-/** The surface's edges, if they are not held, and its topology, if that is not known yet. */
+/** How the facets hang together, if that is not held, and its topology, if that is not known yet.
+ */
 Status SiteCandidate::measureSurface(const RunControl& control)
 {
-  if (m_edges.facetEdges.empty())
+  if (m_joins.bits.empty())
   {
-    m_edges = buildCutEdgeTable(m_task.mesh, m_task.features, control);
+    m_joins =
+      joinFacets(m_task.surface, buildCutEdgeTable(m_task.mesh, m_task.features, control), control);
   }
   MeshTopology& surface = m_result.topology.surface;
   if (control.cancelled() || surface.triangles > 0)
@@ -154,14 +156,14 @@ Status SiteCandidate::measureSurface(const RunControl& control)
     return control.cancelled() ? Status::cancelled() : Status::success();
   }
   return measureConnectivity(m_task.mesh.facetPoints,
-    m_task.features ? m_task.features->edges : m_edges, m_task.mesh.numberOfPoints(), control,
+    m_task.features ? m_task.features->edges : m_joins.edges, m_task.mesh.numberOfPoints(), control,
     surface);
 }
 
 /** The dual of the diagram, and whether it is proven to be like the surface. */
 Status SiteCandidate::findDual(const RunControl& control)
 {
-  const JoinedDiagram joined{ m_task.mesh, this->places(), m_edges, m_owners,
+  const JoinedDiagram joined{ m_task.mesh, this->places(), m_joins, m_owners,
     m_task.features ? &m_result.featureSites : nullptr };
   Seams* seams = m_task.features ? &m_result.seams : nullptr;
   Components& components = m_result.components;
@@ -179,7 +181,7 @@ Status SiteCandidate::findDual(const RunControl& control)
     status = dropHangingTriangles(components, *seams, control, m_result.dual);
     components.apexes = componentsAt(joined, m_task.features->apexes, components);
   }
-  return status.ok() ? certify({ m_task.surface, m_edges, m_result.diagram, components, seams },
+  return status.ok() ? certify({ m_task.surface, m_joins, m_result.diagram, components, seams },
                          m_result.dual, control.step(2, 3), m_result.topology.certificate)
                      : status;
 }

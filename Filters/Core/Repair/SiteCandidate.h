@@ -6,7 +6,6 @@
 #define remesh_SiteCandidate_h
 
 #include "Delaunay/TopologyRepair.h"
-#include "Mesh/EdgeTable.h"
 #include "Repair/Improve.h"
 #include "Run/Task.h"
 #include "Run/Verdict.h"
@@ -136,7 +135,7 @@ private:
   bool m_countsFacing = false;
   Verdict m_start;             ///< before triangles that face the wrong way were first counted
   Offset m_leastFree;          ///< free sites that stay, see Task::minFreeSites
-  EdgeTable m_edges;           ///< of the surface, as it is cut open
+  FacetJoins m_joins;          ///< of the surface, as it is cut open
   std::vector<Index> m_owners; ///< C, the site nearest to each corner, in the present diagram
   SharedSites m_judged; ///< sites of the present diagram; nullptr: none, or sites never change
   Index m_added = 0;

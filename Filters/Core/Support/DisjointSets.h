@@ -38,9 +38,9 @@ public:
     while (parent != item)
     {
       const Index above = m_parents[parent].load(std::memory_order_relaxed);
-      if (above != parent) // which only ever shortens the way to the root
+      if (above != parent) // then the item is no root any more, and any item above it will do
       {
-        m_parents[item].compare_exchange_weak(parent, above, std::memory_order_relaxed);
+        m_parents[item].store(above, std::memory_order_relaxed);
       }
       item = above;
       parent = m_parents[item].load(std::memory_order_relaxed);

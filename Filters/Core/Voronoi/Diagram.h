@@ -31,6 +31,10 @@ struct Diagram
   std::vector<Index> across;
 
   Offset numberOfPieces() const { return static_cast<Offset>(this->sites.size()); }
+  bool hasOnePiece(Index facet) const
+  {
+    return this->facetBegin[facet + 1] - this->facetBegin[facet] == 1;
+  }
   PieceIntegral integralOf(Offset piece) const
   {
     return { this->weights[piece], this->energies[piece] };
