@@ -11,7 +11,7 @@
 
 namespace
 {
-[[noreturn]] void Malformed(const TextLines& lines, const std::string& what)
+[[noreturn]] void MalformedOff(const TextLines& lines, const std::string& what)
 {
   throw Failure("malformed OFF file, " + lines.Where() + " " + what);
 }
@@ -35,7 +35,7 @@ long long Integer(const TextLines& lines, std::string_view word, long long most,
   long long number = 0;
   if (!ParseInteger(word, number) || number < 0 || number > most)
   {
-    Malformed(lines, "has '" + std::string(word.substr(0, 40)) + "' for " + what);
+    MalformedOff(lines, "has '" + std::string(word.substr(0, 40)) + "' for " + what);
   }
   return number;
 }
@@ -49,7 +49,7 @@ void ReadPoints(TextLines& lines, long long count, CornerMesh& mesh)
       double x = 0.0;
       if (!ParseNumber(word, x) || !std::isfinite(x))
       {
-        Malformed(lines, "has no three finite coordinates");
+        MalformedOff(lines, "has no three finite coordinates");
       }
       mesh.Points.push_back(x);
     }
@@ -69,7 +69,7 @@ void ReadFaces(TextLines& lines, long long count, long long pointCount, CornerMe
     }
     if (size < 3)
     {
-      Malformed(lines, "has a face with fewer than three corners");
+      MalformedOff(lines, "has a face with fewer than three corners");
     }
     mesh.Offsets.push_back(static_cast<vtkIdType>(mesh.Corners.size()));
   }
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkPolyData> ReadOff(const std::string& text)
   if (word.substr(end) != "OFF" ||
     word.substr(0, end).find_first_not_of("CNST") != std::string_view::npos)
   {
-    Malformed(lines, "does not start with 'OFF' (other dimensions cannot be read)");
+    MalformedOff(lines, "does not start with 'OFF' (other dimensions cannot be read)");
   }
   word = lines.Word(); // the numbers may follow on the same line
   word = word.empty() ? NextLine(lines) : word;

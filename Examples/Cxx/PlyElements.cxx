@@ -19,11 +19,6 @@ enum class Format
   BigEndian
 };
 
-[[noreturn]] void Malformed(const std::string& what)
-{
-  throw Failure("malformed PLY file, " + what);
-}
-
 PlyType ParseType(std::string_view name)
 {
   const struct
@@ -45,7 +40,7 @@ PlyType ParseType(std::string_view name)
       return known.Value;
     }
   }
-  Malformed("unknown type '" + std::string(name.substr(0, 40)) + "'");
+  MalformedPly("unknown type '" + std::string(name.substr(0, 40)) + "'");
 }
 
 PlyProperty ParseProperty(TextLines& lines)
@@ -63,7 +58,7 @@ PlyProperty ParseProperty(TextLines& lines)
   property.Name = lines.Word();
   if (property.Name.empty())
   {
-    Malformed("a property has no name");
+    MalformedPly("a property has no name");
   }
   return property;
 }
@@ -75,7 +70,7 @@ PlyElement ParseElement(TextLines& lines)
   long long count = -1;
   if (!ParseInteger(lines.Word(), count) || count < 0 || count > std::numeric_limits<int>::max())
   {
-    Malformed("an element has no valid count");
+    MalformedPly("an element has no valid count");
   }
   element.Count = count;
   return element;
@@ -85,7 +80,7 @@ Format ParseFormat(std::string_view name)
 {
   if (name != "ascii" && name != "binary_little_endian" && name != "binary_big_endian")
   {
-    Malformed("unknown format '" + std::string(name.substr(0, 40)) + "'");
+    MalformedPly("unknown format '" + std::string(name.substr(0, 40)) + "'");
   }
   return name == "ascii"             ? Format::Ascii
     : name == "binary_little_endian" ? Format::LittleEndian
@@ -97,7 +92,7 @@ Format ParseHeader(TextLines& lines, std::vector<PlyElement>& elements)
   std::string_view format;
   if (!lines.Next() || lines.Word() != "ply")
   {
-    Malformed("it does not start with 'ply'");
+    MalformedPly("it does not start with 'ply'");
   }
   while (lines.Next())
   {
@@ -119,16 +114,16 @@ Format ParseHeader(TextLines& lines, std::vector<PlyElement>& elements)
     {
       if (elements.empty())
       {
-        Malformed("a property comes before any element");
+        MalformedPly("a property comes before any element");
       }
       elements.back().Properties.push_back(ParseProperty(lines));
     }
     else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
     {
-      Malformed("unknown word in the header: '" + std::string(keyword.substr(0, 40)) + "'");
+      MalformedPly("unknown word in the header: '" + std::string(keyword.substr(0, 40)) + "'");
     }
   }
-  Malformed("it ends in its header");
+  MalformedPly("it ends in its header");
 }
 
 template <typename T>
@@ -199,7 +194,7 @@ private:
     {
       if (!this->Lines.Next())
       {
-        Malformed("it ends in its body");
+        MalformedPly("it ends in its body");
       }
       word = this->Lines.Word();
     }
@@ -207,7 +202,7 @@ private:
     double value = 0.0;
     if (!ParseNumber(word, value))
     {
-      Malformed(this->Lines.Where() + " of its body has " +
+      MalformedPly(this->Lines.Where() + " of its body has " +
         (word.empty() ? "too few numbers" : "'" + std::string(word.substr(0, 40)) + "'"));
     }
     return value;
@@ -218,7 +213,7 @@ private:
     const auto size = static_cast<std::size_t>(type.Size);
     if (this->Bytes.size() < size)
     {
-      Malformed("it ends in its body");
+      MalformedPly("it ends in its body");
     }
     char bytes[8];
     std::copy_n(this->Bytes.begin(), size, bytes);
@@ -246,7 +241,7 @@ void ReadRow(Body& body, PlyElement& element)
     if (!(length >= 0 && length <= static_cast<double>(body.GetRoom())) ||
       length != std::floor(length))
     {
-      Malformed("a list is too long or too short");
+      MalformedPly("a list is too long or too short");
     }
     for (double i = 0; i < length; ++i)
     {
@@ -265,6 +260,11 @@ const PlyProperty* PlyElement::Find(const std::string& name) const
   const auto found = std::find_if(this->Properties.begin(), this->Properties.end(),
     [&name](const PlyProperty& property) { return property.Name == name; });
   return found != this->Properties.end() ? &*found : nullptr;
+}
+
+void MalformedPly(const std::string& what)
+{
+  throw Failure("malformed PLY file, " + what);
 }
 
 std::vector<PlyElement> ReadPlyElements(const std::string& bytes)

@@ -35,6 +35,9 @@ struct PlyElement
   const PlyProperty* Find(const std::string& name) const; // null: there is none
 };
 
+/** Throws Failure. */
+[[noreturn]] void MalformedPly(const std::string& what);
+
 /** Throws Failure unless the file is well formed and has all that its header announces. */
 std::vector<PlyElement> ReadPlyElements(const std::string& bytes);
 

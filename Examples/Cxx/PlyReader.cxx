@@ -21,11 +21,6 @@ namespace
 {
 using Names = std::vector<std::string>;
 
-[[noreturn]] void Malformed(const std::string& what)
-{
-  throw Failure("malformed PLY file, " + what);
-}
-
 /** An array of the properties' type with one component for each; null unless all are there. */
 vtkSmartPointer<vtkDataArray> Join(const PlyElement& element, const Names& names, const char* name)
 {
@@ -81,7 +76,7 @@ vtkSmartPointer<vtkPolyData> ReadPoints(const PlyElement& element)
   auto coordinates = Join(element, { "x", "y", "z" }, "Points");
   if (!coordinates)
   {
-    Malformed("a vertex needs x, y and z");
+    MalformedPly("a vertex needs x, y and z");
   }
   const int type = coordinates->GetDataType();
   vtkNew<vtkPoints> points;
@@ -114,7 +109,7 @@ vtkIdType PointOf(double number, vtkIdType pointCount, const char* what, std::si
 {
   if (!(number >= 0 && number < static_cast<double>(pointCount)) || number != std::floor(number))
   {
-    Malformed(std::string(what) + " " + std::to_string(row) + " refers to point " +
+    MalformedPly(std::string(what) + " " + std::to_string(row) + " refers to point " +
       std::to_string(static_cast<long long>(number)) + ", but there are " +
       std::to_string(pointCount));
   }
@@ -127,7 +122,7 @@ const PlyProperty& CornersOf(const PlyElement& element)
   corners = corners != nullptr ? corners : element.Find("vertex_index");
   if (corners == nullptr || !corners->IsList || corners->Item.IsFloat)
   {
-    Malformed("a face needs one list 'vertex_indices' of integers");
+    MalformedPly("a face needs one list 'vertex_indices' of integers");
   }
   return *corners;
 }
@@ -145,7 +140,7 @@ void AddFaces(const PlyElement& element, vtkIdType pointCount, vtkCellArray* pol
     }
     if (ids.size() < 3)
     {
-      Malformed("face " + std::to_string(row) + " has fewer than three corners");
+      MalformedPly("face " + std::to_string(row) + " has fewer than three corners");
     }
     polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
@@ -199,7 +194,7 @@ CornerMesh TexturedCorners(vtkCellArray* polygons, const PlyProperty& textures)
     std::size_t next = textures.Offsets[row];
     if (textures.Offsets[++row] - next != 2 * static_cast<std::size_t>(size))
     {
-      Malformed("the texture coordinates do not fit the corners");
+      MalformedPly("the texture coordinates do not fit the corners");
     }
     for (vtkIdType c = 0; c < size; ++c, next += 2)
     {
@@ -260,7 +255,7 @@ vtkSmartPointer<vtkPolyData> ReadPly(const std::string& bytes)
   const PlyElement* strips = FindElement(elements, "tristrips");
   if (vertices == nullptr)
   {
-    Malformed("it has no element 'vertex'");
+    MalformedPly("it has no element 'vertex'");
   }
   vtkSmartPointer<vtkPolyData> surface = ReadPoints(*vertices);
   vtkNew<vtkCellArray> polygons;

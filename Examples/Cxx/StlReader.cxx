@@ -68,10 +68,10 @@ vtkSmartPointer<vtkPolyData> ReadBinary(const std::string& bytes)
 }
 
 /** The words of a text file, which may stand on lines as they like. */
-class Reader
+class TextReader
 {
 public:
-  explicit Reader(const std::string& text)
+  explicit TextReader(const std::string& text)
     : Lines(text)
   {
     this->Points->SetDataTypeToDouble();
@@ -93,7 +93,7 @@ private:
 };
 
 /** The next word in lower case. */
-std::string Reader::Next()
+std::string TextReader::Next()
 {
   std::string_view word = this->Lines.Word();
   while (word.empty())
@@ -107,7 +107,7 @@ std::string Reader::Next()
   return LowerCase(word);
 }
 
-void Reader::Expect(const char* word)
+void TextReader::Expect(const char* word)
 {
   const std::string found = this->Next();
   if (found != word)
@@ -117,7 +117,7 @@ void Reader::Expect(const char* word)
   }
 }
 
-void Reader::ReadNumbers(double numbers[3])
+void TextReader::ReadNumbers(double numbers[3])
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -130,7 +130,7 @@ void Reader::ReadNumbers(double numbers[3])
 }
 
 /** What follows the word "facet". Its normal is that of the points, as a rule, or none. */
-void Reader::ReadFacet()
+void TextReader::ReadFacet()
 {
   this->Expect("normal");
   for (int i = 0; i < 3; ++i)
@@ -151,7 +151,7 @@ void Reader::ReadFacet()
   this->Solids->InsertNextValue(this->Solid);
 }
 
-vtkSmartPointer<vtkPolyData> Reader::Read()
+vtkSmartPointer<vtkPolyData> TextReader::Read()
 {
   while (this->Lines.Next())
   {
@@ -201,5 +201,5 @@ vtkSmartPointer<vtkPolyData> ReadStl(const std::string& bytes)
                   "not fit a binary file of " +
       std::to_string(announced) + " triangles");
   }
-  return Reader(bytes).Read();
+  return TextReader(bytes).Read();
 }

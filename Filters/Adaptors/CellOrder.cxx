@@ -11,17 +11,6 @@ namespace remesh
 {
 namespace
 {
-/** A total order, also with NaN: last, and equal to itself. */
-template <class Value>
-int compare(const Value& a, const Value& b)
-{
-  if (a < b)
-  {
-    return -1;
-  }
-  return b < a ? 1 : static_cast<int>(a != a) - static_cast<int>(b != b);
-}
-
 struct MakeOrder
 {
   template <class Array>
@@ -36,7 +25,7 @@ struct MakeOrder
       for (int c = 0; c < size && result == 0; ++c)
       {
         using Value = typename Array::ValueType;
-        result = compare<Value>(first[c], second[c]);
+        result = compareTotally<Value>(first[c], second[c]);
       }
       return result;
     };
@@ -52,7 +41,7 @@ CellOrder orderOfValues(int size, const Value& value)
     int result = 0;
     for (int c = 0; c < size && result == 0; ++c)
     {
-      result = compare(value(a * size + c), value(b * size + c));
+      result = compareTotally(value(a * size + c), value(b * size + c));
     }
     return result;
   };
@@ -101,7 +90,8 @@ CellOrder orderOf(vtkAbstractArray* array)
   }
   if (!data)
   {
-    order = [](vtkIdType a, vtkIdType b) { return compare(a, b); }; // no values that one can tell
+    order = [](vtkIdType a, vtkIdType b)
+    { return compareTotally(a, b); }; // no values that one can tell
   }
   return order;
 }

@@ -13,6 +13,17 @@ class vtkAbstractArray;
 
 namespace remesh
 {
+/** -1, 0 or 1. A total order, also with NaN: it comes last, and equals itself. */
+template <class Value>
+int compareTotally(const Value& a, const Value& b)
+{
+  if (a < b)
+  {
+    return -1;
+  }
+  return b < a ? 1 : static_cast<int>(a != a) - static_cast<int>(b != b);
+}
+
 /** Negative, 0 or positive, as the value of one cell comes before, with or after another's. */
 using CellOrder = std::function<int(vtkIdType, vtkIdType)>;
 

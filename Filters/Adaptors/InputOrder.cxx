@@ -2,6 +2,7 @@
 
 #include "Adaptors/ArrayHelpers.h"
 #include "Adaptors/BlockNames.h"
+#include "Adaptors/CellOrder.h"
 #include "Adaptors/SurfacePieces.h"
 
 #include "vtkAlgorithm.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -62,18 +62,6 @@ bool comesInPieces(vtkAlgorithm* algorithm, int port, std::set<vtkAlgorithm*>& s
   return false;
 }
 
-/** -1, 0 or 1. A total order: NaN is behind all numbers. */
-template <class Value>
-int compare(const Value& a, const Value& b)
-{
-  return a < b ? -1 : (b < a ? 1 : 0);
-}
-int compareNumbers(double a, double b)
-{
-  const bool isNaN = std::isnan(a);
-  return isNaN || std::isnan(b) ? isNaN - static_cast<int>(std::isnan(b)) : compare(a, b);
-}
-
 /** The arrays of points or cells by name, so that the order of arrays does not count. */
 class Values
 {
@@ -107,9 +95,9 @@ public:
       auto* texts = vtkStringArray::SafeDownCast(array);
       for (int c = 0; result == 0 && c < size; ++c)
       {
-        result = numbers ? compareNumbers(numbers->GetComponent(a, c), numbers->GetComponent(b, c))
-          : texts        ? compare(texts->GetValue(a * size + c), texts->GetValue(b * size + c))
-                         : 0;
+        result = numbers ? compareTotally(numbers->GetComponent(a, c), numbers->GetComponent(b, c))
+          : texts ? compareTotally(texts->GetValue(a * size + c), texts->GetValue(b * size + c))
+                  : 0;
       }
     }
     return result;
@@ -138,7 +126,7 @@ struct PointOrder
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        if (const int result = compareNumbers(places[a][axis], places[b][axis]))
+        if (const int result = compareTotally(places[a][axis], places[b][axis]))
         {
           return result;
         }
@@ -237,7 +225,7 @@ private:
       std::mismatch(begin + this->Begins[a], endOfA, begin + this->Begins[b], endOfB);
     return left == endOfA || right == endOfB
       ? static_cast<int>(left != endOfA) - static_cast<int>(right != endOfB)
-      : compare(*left, *right);
+      : compareTotally(*left, *right);
   }
 
   vtkIdType FirstCell;

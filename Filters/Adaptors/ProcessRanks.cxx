@@ -16,7 +16,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int tag = 20121;             ///< of all packets
+constexpr int packetTag = 20121;       ///< of all packets
 constexpr vtkIdType longest = 1 << 20; ///< of the pieces of a packet, in bytes
 
 bool tryToResize(std::vector<char>& bytes, vtkIdType size)
@@ -69,11 +69,11 @@ int ProcessRanks::own() const
 void ProcessRanks::send(int rank, const Packet& packet)
 {
   const auto size = static_cast<vtkIdType>(packet.bytes().size());
-  bool arrives = this->Controller->Send(&size, 1, rank, tag) != 0;
+  bool arrives = this->Controller->Send(&size, 1, rank, packetTag) != 0;
   for (vtkIdType begin = 0; begin < size && arrives; begin += longest)
   {
     const vtkIdType length = std::min(longest, size - begin);
-    arrives = this->Controller->Send(packet.bytes().data() + begin, length, rank, tag) != 0;
+    arrives = this->Controller->Send(packet.bytes().data() + begin, length, rank, packetTag) != 0;
   }
   if (!arrives)
   {
@@ -86,9 +86,9 @@ Packet ProcessRanks::receive(int rank)
   vtkIdType size = 0;
   if (this->own() != first)
   {
-    awaitMessage(this->Controller, rank, tag);
+    awaitMessage(this->Controller, rank, packetTag);
   }
-  bool arrived = this->Controller->Receive(&size, 1, rank, tag) != 0;
+  bool arrived = this->Controller->Receive(&size, 1, rank, packetTag) != 0;
   std::vector<char> bytes;
   const bool fits = tryToResize(bytes, arrived ? size : 0);
   // What there is no room for has to be taken off the way, too.
@@ -97,7 +97,7 @@ Packet ProcessRanks::receive(int rank)
   {
     const vtkIdType length = std::min(longest, size - begin);
     char* piece = fits ? bytes.data() + begin : spare.data();
-    arrived = this->Controller->Receive(piece, length, rank, tag) != 0;
+    arrived = this->Controller->Receive(piece, length, rank, packetTag) != 0;
   }
   if (!fits)
   {

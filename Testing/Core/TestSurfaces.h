@@ -15,7 +15,7 @@
 
 namespace remesh::test
 {
-constexpr double pi = 3.14159265358979323846;
+using remesh::pi;
 
 /** Triangle t comes from cell t. */
 inline TriangleSoup makeSoup(

@@ -18,7 +18,6 @@ using namespace remesh::test;
 namespace
 {
 using Place = std::function<Point3(double, double)>;
-const double pi = std::acos(-1.0);
 
 /** A grid over [0, 1]^2 with texture coordinates (u, v), put in place; its borders may coincide. */
 vtkSmartPointer<vtkPolyData> mapped(int columns, int rows, const Place& place)

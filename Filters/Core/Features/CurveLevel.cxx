@@ -1,21 +1,12 @@
 #include "Features/CurveLevel.h"
 
 #include "Features/CurveStations.h"
+#include "Features/CurveStretches.h"
 
 #include <limits>
 
 namespace remesh
 {
-namespace
-{
-using Coordinates = Eigen::Map<const Eigen::VectorXd>;
-
-Coordinates coordinatesOf(const FeatureSites& sites, Index site)
-{
-  return Coordinates(sites.sites.site(site), sites.sites.dimension);
-}
-}
-
 Index nearestCopy(const FeatureSites& sites, Index point, const Eigen::VectorXd& place)
 {
   const Index end =

@@ -12,10 +12,10 @@ namespace remesh
 {
 namespace
 {
-constexpr int maxRounds = 32;
-constexpr double minSection = 0.02; // of the spacing
-constexpr double minGap = 0.05;     // of a section
-constexpr double rounding = 1e-12;  // of squared distances
+constexpr int maxPasses = 32;
+constexpr double minSection = 0.02;         // of the spacing
+constexpr double minGap = 0.05;             // of a section
+constexpr double roundingOfSquares = 1e-12; // of squared distances
 
 /** A site that is nearer to a place of a curve than the curve's own. */
 struct Intruder
@@ -62,7 +62,7 @@ private:
       if (point != stretch.owner &&
         !isNextTo(m_featured, m_sites, stretch.collar.curve, stretch.station, point))
       {
-        this->compare(stretch, site, near.site, rounding * radius * radius);
+        this->compare(stretch, site, near.site, roundingOfSquares * radius * radius);
       }
     }
   }
@@ -205,7 +205,7 @@ Index separateCurves(const FeaturedSurface& featured, std::vector<char> curves,
   Division division(featured, std::move(curves), room);
   std::size_t found = 0; // in the first round
   const auto goesOn = [&](int round)
-  { return round < maxRounds && !sites.collar.empty() && !control.cancelled(); };
+  { return round < maxPasses && !sites.collar.empty() && !control.cancelled(); };
   for (int round = 0; goesOn(round); ++round)
   {
     const std::vector<Intruder> intruders =

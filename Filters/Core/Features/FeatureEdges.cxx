@@ -11,7 +11,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int maxSteps = 8;           // over thin facets, to one with a normal
+constexpr int maxThinFacets = 8;      // over thin facets, to one with a normal
 constexpr double needleHeight = 0.02; // of the spacing, below
 /**
  * Flaps. Between their sides points would be as close to each other as these are, eight to a side
@@ -209,7 +209,7 @@ std::vector<Point3> reliableNormals(const SurfaceMesh& mesh, const EdgeTable& ed
     double sign =
       at != facet && opposed(mesh, edges, edges.facetEdges[facet][longest], facet, at) ? -1.0 : 1.0;
     int side = -1; // that it is come in by
-    for (int step = 0; step < maxSteps && !shapes[at].hasNormal(); ++step)
+    for (int step = 0; step < maxThinFacets && !shapes[at].hasNormal(); ++step)
     {
       const Index edge = edges.facetEdges[at][shapes[at].longestBut(side)];
       const Index next = beyond(edges, edge, at);

@@ -13,7 +13,7 @@ namespace remesh
 {
 namespace
 {
-constexpr double minCosineOfTurn = 0.8;  // 37 degrees
+constexpr double minCosineAcross = 0.8;  // 37 degrees
 constexpr std::size_t longestGap = 4096; // edges
 
 /** The edges at each point that are features or may continue one. */
@@ -68,7 +68,7 @@ public:
     const Point3& at = m_mesh.points[point];
     const Point3 in = (at - m_mesh.points[this->other(edge, point)]).stableNormalized();
     Index best = noIndex;
-    double straightest = minCosineOfTurn;
+    double straightest = minCosineAcross;
     for (const Index next : m_around[point])
     {
       const Point3 out = (m_mesh.points[this->other(next, point)] - at).stableNormalized();
@@ -122,7 +122,6 @@ private:
 void bridgeGaps(const SurfaceMesh& mesh, const EdgeTable& edges, const FeatureOptions& options,
   FeatureEdges& features)
 {
-  const double pi = std::acos(-1.0);
   if (std::all_of(features.kinds.begin(), features.kinds.end(),
         [](FeatureKind kind) { return kind != FeatureKind::Crease; }))
   {

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double halfRow = 0.43301270189221932338; // height of a border cell, over the spacing
 constexpr Offset minClosed = SpareSites::minOfClosed;
-constexpr int halvings = 60;
+constexpr int halvingsOfSize = 60;
 }
 
 PatchSizes measurePatches(const FeaturedSurface& featured)
@@ -85,11 +85,11 @@ double commonSpacing(const PatchSizes& sizes, const EmbeddedSurface& surface, do
 {
   double high = std::sqrt(surface.siteMeasure / (cellArea * std::max(n, 1.0))); // less than n fit
   double low = high;
-  for (int k = 0; k < halvings && sizes.totalDemand(low) < n; ++k)
+  for (int k = 0; k < halvingsOfSize && sizes.totalDemand(low) < n; ++k)
   {
     low *= 0.5;
   }
-  for (int k = 0; k < halvings; ++k)
+  for (int k = 0; k < halvingsOfSize; ++k)
   {
     const double middle = 0.5 * (low + high);
     (sizes.totalDemand(middle) < n ? high : low) = middle;

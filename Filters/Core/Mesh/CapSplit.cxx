@@ -210,11 +210,6 @@ private:
     return static_cast<Index>(count);
   }
 
-  static bool has(const Triple& corners, Index point)
-  {
-    return std::find(corners.begin(), corners.end(), point) != corners.end();
-  }
-
   const TriangleSoup& m_soup;
   std::vector<unsigned char>& m_marked;
   Draft& m_draft;

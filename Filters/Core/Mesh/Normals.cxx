@@ -53,7 +53,7 @@ std::vector<char> findCutPoints(const SurfaceMesh& mesh)
 namespace
 {
 /** A sum shorter than this share of its weights has no direction but rounding error. */
-constexpr double minLength = 1e-12;
+constexpr double leastShare = 1e-12;
 
 /** What a facet adds to its corners. */
 struct FacetShare
@@ -92,7 +92,7 @@ void replaceLost(const SurfaceMesh& mesh, const std::vector<FacetNormal>& borrow
   {
     for (const Index corner : mesh.facetCorners[f])
     {
-      if (angleSums[corner] >= 0.0 && !(normals[corner].norm() > minLength * angleSums[corner]))
+      if (angleSums[corner] >= 0.0 && !(normals[corner].norm() > leastShare * angleSums[corner]))
       {
         angleSums[corner] = -1.0;
       }
@@ -191,7 +191,7 @@ Point3 smoothedNormal(
     sum += normals[rings.neighbours[i]];
   }
   const double length = sum.norm();
-  const bool hasDirection = length > minLength * static_cast<double>(end - begin + 1);
+  const bool hasDirection = length > leastShare * static_cast<double>(end - begin + 1);
   return hasDirection ? Point3(sum / length) : normals[corner];
 }
 
@@ -271,7 +271,7 @@ Point3 meanOfInputs(const CornerInputs& inputs, std::size_t corner,
     }
   }
   const double length = sum.norm();
-  return length > minLength * count ? Point3(sum / length) : Point3(Point3::Zero());
+  return length > leastShare * count ? Point3(sum / length) : Point3(Point3::Zero());
 }
 
 Status checkInputNormals(const SurfaceMesh& mesh, const std::vector<Point3>& inputNormals)

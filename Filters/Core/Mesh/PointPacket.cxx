@@ -11,7 +11,7 @@ namespace remesh
 namespace
 {
 /** Of the angle at the corner; digits are lost with its square. */
-constexpr double minSine = 1e-2;
+constexpr double minSineOfPacket = 1e-2;
 
 /** Twice what is above 0, and 0 for the rest: without a comparison. */
 template <int W>
@@ -230,7 +230,7 @@ bool PacketTriangle::set(const Point3& a, const Point3& b, const Point3& c)
   const double ww = this->edges[2].squaredNorm();
   const double uv = this->edges[0].dot(this->edges[1]);
   const double determinant = uu * vv - uv * uv;
-  if (!(determinant > minSine * minSine * uu * vv && ww > 0.0))
+  if (!(determinant > minSineOfPacket * minSineOfPacket * uu * vv && ww > 0.0))
   {
     return false;
   }

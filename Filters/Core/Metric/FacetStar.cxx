@@ -9,7 +9,6 @@ namespace
 {
 constexpr double maxBend = 1.0; // radians, by which angles may differ from a full turn
 constexpr double maxBorderBend = 0.3;
-constexpr double pi = 3.14159265358979323846;
 
 double qualityOf(const Vector2& a, const Vector2& b, const Vector2& c)
 {

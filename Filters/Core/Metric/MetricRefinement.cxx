@@ -8,11 +8,11 @@ namespace remesh
 {
 namespace
 {
-constexpr double longest = 0.5;      // of the unit
-constexpr double shortest = 0.125;   // of the unit, where the metric changes
-constexpr double maxVariation = 1.3; // between sizes at an edge's ends
-constexpr double goodEnough = 0.15;  // quality of pieces in the metric, 1 for equal sides
-constexpr double needle = 0.04;      // quality of facets whose sides are split first
+constexpr double longest = 0.5;         // of the unit
+constexpr double shortest = 0.125;      // of the unit, where the metric changes
+constexpr double maxRatioOfSizes = 1.3; // between sizes at an edge's ends
+constexpr double goodPiece = 0.15;      // quality of pieces in the metric, 1 for equal sides
+constexpr double needle = 0.04;         // quality of facets whose sides are split first
 
 /** The tensors at three corners of a facet, as logarithms in its plane. */
 using Logarithms = std::array<Tensor2, 3>;
@@ -171,7 +171,7 @@ public:
           const auto [length, variation] = this->measure(surface, frame, f, k);
           wanted.lengths[edge] = length;
           wanted.marked[edge] = length > longest * m_unit ||
-            (length > shortest * m_unit && variation > maxVariation * maxVariation);
+            (length > shortest * m_unit && variation > maxRatioOfSizes * maxRatioOfSizes);
         }
       }
     }
@@ -215,7 +215,7 @@ bool refineForMetric(const SurfaceMesh& mesh, const Features* features, const Me
   RefinementLimits limits{ maxFacets };
   PieceShapes shapes;
   shapes.energy = [&](const FacetOrigin& piece) { return interpolation.energy(piece); };
-  shapes.enough = 4.0 * std::sqrt(3.0) / goodEnough;
+  shapes.enough = 4.0 * std::sqrt(3.0) / goodPiece;
   shapes.needle = 4.0 * std::sqrt(3.0) / needle;
   limits.shapes = &shapes;
   const bool any = refine(criterion, limits, control, refined);

@@ -14,7 +14,8 @@ namespace
 constexpr int spare = 3;              // functions beyond those wanted, for faster convergence
 constexpr int iterations = 10;        // the start is near then
 constexpr std::uint64_t drawing = 17; // a stream of random numbers of its own
-constexpr double minShare = 1e-10;    // of the largest eigenvalue: below, functions are dependent
+constexpr double minShareOfLargest =
+  1e-10; // of the largest eigenvalue: below, functions are dependent
 
 /** The points of each component, and matrices summed over them in fixed blocks. */
 class ComponentSums
@@ -168,7 +169,7 @@ private:
     {
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
       const Eigen::VectorXd& values = solver.eigenvalues();
-      const double least = minShare * values[columns - 1];
+      const double least = minShareOfLargest * values[columns - 1];
       Eigen::VectorXd inverse = Eigen::VectorXd::Zero(columns);
       for (Eigen::Index c = 0; c < columns; ++c)
       {
@@ -220,7 +221,7 @@ private:
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       0.5 * (energy + energy.transpose()));
     const Eigen::VectorXd& values = solver.eigenvalues();
-    const double least = minShare * values[values.size() - 1];
+    const double least = minShareOfLargest * values[values.size() - 1];
     Eigen::MatrixXd chosen = Eigen::MatrixXd::Zero(energy.rows(), dimension);
     int count = 0;
     for (Eigen::Index k = 0; k < values.size() && count < dimension; ++k)

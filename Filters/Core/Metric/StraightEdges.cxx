@@ -13,12 +13,11 @@ namespace remesh
 namespace
 {
 constexpr int directions = 5; // of a half turn: an ellipse has two harmonics
-constexpr int maxRounds = 3;
+constexpr int maxTurns = 3;
 constexpr double unchanged = 0.03;  // relative, of squares of lengths: an ellipse that stays
 constexpr int maxFacets = 400;      // that half an edge crosses
 constexpr double maxSkewness = 0.9; // of an ellipse in the one before: it stays one
 constexpr double stretch = 0.25;    // of a unit, over which the metric is taken as linear
-constexpr double pi = 3.14159265358979323846;
 
 using Vector2 = Eigen::Vector2d;
 
@@ -273,7 +272,7 @@ private:
 };
 
 /** An ellipse in another one: of a mean and its second harmonics. */
-struct Fit
+struct FittedEllipse
 {
   double mean = 0.0;
   double cosine = 0.0;
@@ -304,11 +303,11 @@ struct Place
 };
 
 /** The ellipse at a point, in that of the last round, of which `root` is the root. */
-Fit fitEllipse(const Place& at, const Tensor2& root)
+FittedEllipse fitEllipse(const Place& at, const Tensor2& root)
 {
   const Tensor2 back = inverse(root);
   const double half = 0.5 * at.unit;
-  Fit fit;
+  FittedEllipse fit;
   for (int k = 0; k < directions; ++k)
   {
     const double angle = pi * k / directions;
@@ -330,10 +329,10 @@ Fit fitEllipse(const Place& at, const Tensor2& root)
 Tensor2 limitedAt(const Place& at)
 {
   Tensor2 tensor = at.tensor;
-  for (int round = 0; round < maxRounds; ++round)
+  for (int round = 0; round < maxTurns; ++round)
   {
     const Tensor2 root = squareRoot(tensor);
-    const Fit fit = fitEllipse(at, root);
+    const FittedEllipse fit = fitEllipse(at, root);
     tensor = sandwich(root, fit.tensor());
     if (fit.isCircle())
     {

@@ -16,14 +16,14 @@ namespace
 constexpr Offset pilotPoints = 2000;
 constexpr int pilotIterations = 10;
 constexpr Offset roughSamples = 20000;
-constexpr Offset maxParts = 200000;   // for the bound that is reported
-constexpr int maxRuns = 4;            // whole ones, before refinement
-constexpr double enough = 0.95;       // of the points that features ask for
-constexpr double wellWithin = 0.8;    // of the tolerance: fewer points will do
-constexpr double minAtOnce = 0.3;     // of the points, in one descent
-constexpr Offset maxGrowth = 2;       // of the points, before finer creases are looked for
-constexpr double maxFarCells = 0.5;   // of those there were, where finer creases are kept
-constexpr double minTolerance = 1e-7; // of the diagonal: single precision
+constexpr Offset maxPartsOfBound = 200000; // for the bound that is reported
+constexpr int maxRuns = 4;                 // whole ones, before refinement
+constexpr double enough = 0.95;            // of the points that features ask for
+constexpr double wellWithin = 0.8;         // of the tolerance: fewer points will do
+constexpr double minAtOnce = 0.3;          // of the points, in one descent
+constexpr Offset maxGrowth = 2;            // of the points, before finer creases are looked for
+constexpr double maxFarCells = 0.5;        // of those there were, where finer creases are kept
+constexpr double minTolerance = 1e-7;      // of the diagonal: single precision
 
 /** The whole run, with one number of points after the other. */
 struct ToleranceRun
@@ -106,7 +106,7 @@ struct ToleranceRun
   {
     DistanceOptions how;
     how.negligible = 0.05 * this->tolerance.tolerance;
-    how.maximumParts = maxParts;
+    how.maximumParts = maxPartsOfBound;
     return how;
   }
 

@@ -13,8 +13,8 @@ namespace
 using Matrix3 = Eigen::Matrix3d;
 
 constexpr int rounds = 3;
-constexpr double rounding = 1e-24; // of a chord's squared length
-constexpr int sweeps = 24;         // each leaves a quarter of the error
+constexpr double chordRounding = 1e-24; // of a chord's squared length
+constexpr int sweeps = 24;              // each leaves a quarter of the error
 // Of a place's weight:
 constexpr double damping = 1e-3; // it stays where nothing pulls
 constexpr double holding = 10.0; // along the curve, where it is spaced well
@@ -94,7 +94,7 @@ private:
       const Point3 offset = from + sample * (to - from) - a;
       const double t = std::clamp(offset.dot(chord) / squared, 0.0, 1.0);
       Point3 residual = across * (offset - t * chord);
-      if (residual.squaredNorm() < rounding * squared)
+      if (residual.squaredNorm() < chordRounding * squared)
       {
         residual.setZero(); // what is straight stays, to the bit
       }

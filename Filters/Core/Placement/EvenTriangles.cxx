@@ -27,7 +27,7 @@ constexpr double stepShare = 0.6; // of Newton's: neighbours make theirs at the 
 constexpr int maxRounds = 20;
 constexpr double minDecrease = 0.001; // of what the energy is above its bound
 constexpr double maxRise = 1.2;       // of a triangle's energy in a round, times
-constexpr int halvings = 3;           // then vertices stay
+constexpr int maxHalvings = 3;        // then vertices stay
 
 /** A triangle as the metric at its centre has it. */
 struct MeasuredTriangle
@@ -309,8 +309,8 @@ private:
     {
       if (isWorse[v])
       {
-        ways[v] *= halved[v] < halvings ? 0.5 : 0.0;
-        halved[v] = static_cast<char>(std::min<int>(halved[v] + 1, halvings));
+        ways[v] *= halved[v] < maxHalvings ? 0.5 : 0.0;
+        halved[v] = static_cast<char>(std::min<int>(halved[v] + 1, maxHalvings));
       }
     }
     return any;

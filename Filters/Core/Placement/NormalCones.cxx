@@ -11,13 +11,14 @@ namespace remesh
 {
 namespace
 {
-constexpr double rounding = 1e-6; // of the sine of a narrow cone's angle, at most, and far above it
+constexpr double coneRounding =
+  1e-6; // of the sine of a narrow cone's angle, at most, and far above it
 
 /**
  * The least cosine of a vector to the axis that makes it less than 90 degrees with all in the cone:
  * the sine of the cone's half angle, as the two angles must not sum to more than 90 degrees.
  */
-double minCosine(const std::vector<Point3>& normals, const Point3& axis)
+double cosineOfCone(const std::vector<Point3>& normals, const Point3& axis)
 {
   double widest = 1.0;
   for (const Point3& normal : normals)
@@ -28,7 +29,7 @@ double minCosine(const std::vector<Point3>& normals, const Point3& axis)
     }
     widest = std::min(widest, normal.dot(axis));
   }
-  return widest > 0.0 ? std::sqrt(1.0 - widest * widest) + rounding
+  return widest > 0.0 ? std::sqrt(1.0 - widest * widest) + coneRounding
                       : std::numeric_limits<double>::infinity();
 }
 }
@@ -59,7 +60,7 @@ NormalCones::NormalCones(const PlacementProblem& problem, const RunControl& cont
           if (length > 0.0)
           {
             const Point3 axis = sum / length;
-            m_cones[v] = { axis, minCosine(normals, axis) };
+            m_cones[v] = { axis, cosineOfCone(normals, axis) };
           }
         }
       }));

@@ -8,7 +8,7 @@ namespace remesh
 {
 namespace
 {
-constexpr int halvings = 5; // of the share
+constexpr int halvingsOfShare = 5; // of the share
 
 struct Lengths
 {
@@ -99,7 +99,7 @@ bool limitSliding(const PlacementProblem& problem, const CellForms& cells, doubl
   };
   double reached = 0.0;
   double beyond = 1.0;
-  for (int k = 0; k < halvings; ++k)
+  for (int k = 0; k < halvingsOfShare; ++k)
   {
     const double middle = 0.5 * (reached + beyond);
     slideTo(middle);

@@ -6,7 +6,7 @@ namespace remesh
 {
 namespace
 {
-constexpr double rounding = 1e-4; ///< of the energy's edge at phi = 1: half a degree
+constexpr double roundedEdge = 1e-4; ///< of the energy's edge at phi = 1: half a degree
 const double equilateral = 4.0 * std::sqrt(3.0);
 }
 
@@ -39,7 +39,7 @@ bool findShapeTerm(const Corners& corners, const Symmetric3<double>& metric, Sha
       2.0 * guv * symmetricProduct(first, second));
   const double area = 0.5 * std::sqrt(square);
   const double phi = unit * 2.0 * (guu + gvv - guv) / (equilateral * area);
-  const double slope = 0.75 / std::sqrt(std::sqrt(std::max(phi - 1.0, 0.0) + rounding));
+  const double slope = 0.75 / std::sqrt(std::sqrt(std::max(phi - 1.0, 0.0) + roundedEdge));
   term.block = 2.0 * slope / (equilateral * area) * plane;
   // A corner that moves by x changes the area by this . x: `first` and `second` point from the
   // opposite edges to the corners, and are as long as one over the heights.

@@ -19,7 +19,7 @@ constexpr double minShareWithin = 0.9; // of the area, within a factor of sqrt 2
 constexpr double flatness = 1e-6;      // of the diagonal: what is a plane
 constexpr double asymmetry = 1e-6;     // of the largest entry: rounding of single precision
 
-std::string nameOf(const PointArray& array)
+std::string nameOfMetric(const PointArray& array)
 {
   return "The metric array \"" + array.name + "\"";
 }
@@ -98,19 +98,19 @@ Status checkArray(const SurfaceMesh& mesh, const PointArray& array, Offset numbe
   const int components = array.dimension;
   if (array.count != numberOfInputPoints)
   {
-    return Status::invalid(nameOf(array) + " has " + std::to_string(array.count) + " tuples for " +
-      std::to_string(numberOfInputPoints) + " points.");
+    return Status::invalid(nameOfMetric(array) + " has " + std::to_string(array.count) +
+      " tuples for " + std::to_string(numberOfInputPoints) + " points.");
   }
   if (components != 1 && components != 3 && components != 6 && components != 9)
   {
-    return Status::invalid(nameOf(array) + " has " + std::to_string(components) +
+    return Status::invalid(nameOfMetric(array) + " has " + std::to_string(components) +
       " components; a metric has 9, 6, 3 (in the plane) or 1 (a size).");
   }
   const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
     [](const Point3& a, const Point3& b) { return a[2] < b[2]; });
   if (components == 3 && (*high)[2] - (*low)[2] > flatness * boundingBoxDiagonal(mesh))
   {
-    return Status::invalid(nameOf(array) +
+    return Status::invalid(nameOfMetric(array) +
       " has 3 components, a metric of the plane, but the surface is not in a plane of equal z.");
   }
   return Status::success();
@@ -145,9 +145,9 @@ Status readMetric(const SurfaceMesh& mesh, const PointArray& array, TensorOrder 
       }
     }
   }
-  return fault.empty()
-    ? Status::success()
-    : Status::invalid(nameOf(array) + " " + fault + " at point " + std::to_string(first) + ".");
+  return fault.empty() ? Status::success()
+                       : Status::invalid(nameOfMetric(array) + " " + fault + " at point " +
+                           std::to_string(first) + ".");
 }
 
 MetricFit fitOf(const MetricSurface& surface)

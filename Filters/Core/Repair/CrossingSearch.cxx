@@ -38,11 +38,6 @@ double longestEdge(const Corners& p)
   return std::sqrt(std::max(
     { (p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm() }));
 }
-
-bool has(const Triple& triangle, Index vertex)
-{
-  return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
-}
 }
 
 bool areCrossing(const Triple& first, const Triple& second, const std::vector<Point3>& positions)

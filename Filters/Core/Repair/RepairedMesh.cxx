@@ -12,11 +12,6 @@ namespace
 {
 constexpr double stretchWeight = 0.05;
 constexpr double largestStretch = 10.0;
-
-bool has(const Triple& triangle, Index vertex)
-{
-  return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
-}
 }
 
 RepairedMesh::RepairedMesh(const PlacementProblem& problem, const NearbySurface& surface,

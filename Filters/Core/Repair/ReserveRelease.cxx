@@ -11,10 +11,10 @@ namespace remesh
 {
 namespace
 {
-constexpr double smallEnergy = 0.1; // of the mean of all cells: sites half as far apart, about
-constexpr double minShare = 0.01;   // of the vertices; fewer sites are not worth a diagram
-constexpr int maxFailures = 2;      // the second one alone
-constexpr Offset morePlaces = 16;   // than sites chosen, where cells of several parts are lost
+constexpr double smallEnergy = 0.1;  // of the mean of all cells: sites half as far apart, about
+constexpr double minShare = 0.01;    // of the vertices; fewer sites are not worth a diagram
+constexpr int maxFailuresOfSite = 2; // the second one alone
+constexpr Offset morePlaces = 16;    // than sites chosen, where cells of several parts are lost
 
 std::vector<double> rowOf(const Sites& sites, Index site)
 {
@@ -57,7 +57,7 @@ std::vector<Index> ReserveRelease::findCandidates(const SiteCandidate& candidate
     const bool isOnlyPart = (k == 0 || components.sites[k - 1] != site) &&
       (k + 1 == components.count() || components.sites[k + 1] != site);
     if (site >= m_firstAdded && isOnlyPart && components.energy[k] < small &&
-      this->failuresOf(candidate, site) < maxFailures)
+      this->failuresOf(candidate, site) < maxFailuresOfSite)
     {
       found.push_back(k);
     }

@@ -13,7 +13,6 @@ namespace
 constexpr Index maxDense = 500; // points; 0.3 s
 constexpr Index minBasis = 120; // vectors for one band
 constexpr Index maxBasis = 400; // 3.2 kB for each point; a third of them converge
-constexpr double pi = 3.14159265358979323846;
 
 Status findDense(const SurfaceLaplacian& laplacian, Index count, Eigenpairs& pairs)
 {

@@ -11,6 +11,7 @@
 #ifndef remesh_Types_h
 #define remesh_Types_h
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -27,6 +28,13 @@ using Triple = std::array<Index, 3>;
 
 constexpr Index noIndex = -1;
 constexpr std::int64_t maximumIndex = std::numeric_limits<Index>::max() - 1;
+constexpr double pi = 3.14159265358979323846;
+
+/** Whether it is one of the three. */
+inline bool has(const Triple& triangle, Index vertex)
+{
+  return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
+}
 }
 
 #endif

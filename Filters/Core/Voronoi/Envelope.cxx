@@ -15,7 +15,7 @@ namespace
 constexpr double never = 1e200;
 /** Where two sites come as close to each other, in barycentric coordinates, there is no clear one.
  */
-constexpr double closest = 1e-9;
+constexpr double closestSites = 1e-9;
 
 /** A border's end that is still without its other end; `left` and `right` of the way inwards. */
 struct OpenEnd
@@ -160,7 +160,7 @@ struct Tracing : EnvelopeBuilder
   {
     EdgeCourse& edge = edges[k];
     const bool ends = edge.current == edge.last;
-    const int found = this->firstReached(k, closest);
+    const int found = this->firstReached(k, closestSites);
     const int next = found < 0 ? edge.current : found;
     const double along = std::min(std::max(reached[k][next], edge.along), 1.0);
     edge.takeovers[edge.count] = { along, edge.current, next };
@@ -259,7 +259,7 @@ struct Tracing : EnvelopeBuilder
     numbered[0][j] = never;
     numbered[0][end.third < 0 ? i : end.third] = never;
     const double widest = std::max({ std::abs(way0), std::abs(way1), std::abs(way2) });
-    const int third = this->firstReached(0, closest / widest);
+    const int third = this->firstReached(0, closestSites / widest);
     if (third < 0 || this->envelope.numberOfVertices + 3 > Envelope::maxVertices)
     {
       return false;

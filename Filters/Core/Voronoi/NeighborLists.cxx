@@ -2,7 +2,6 @@
 
 #include "Embedding/Distance.h"
 #include "Support/FloatBounds.h"
-#include "Support/Parallel.h"
 #include "Voronoi/NearbySites.h"
 
 #include <algorithm>
@@ -38,12 +37,7 @@ constexpr Index minSample = 8192;
 /** Beside one that came from farther away, in mean reaches of lists, walks would go too far. */
 constexpr double farthestLeap = 4.0;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-Blocks blocksOf(const Sites& sites)
-{
-  return Blocks::cut(sites.count(), 1024, 4096);
-}
+constexpr float unlimited = std::numeric_limits<float>::infinity();
 
 std::vector<Index> allOf(const Sites& sites)
 {
@@ -126,7 +120,7 @@ Status NeighborLists::update(const Sites& sites, const RunControl& control)
 template <class Visit>
 bool NeighborLists::forEachList(const RunControl& control, const Visit& visit)
 {
-  return forEachItem(blocksOf(*m_sites), control,
+  return forEachItem(siteBlocks(*m_sites), control,
     [&](Offset k)
     {
       const auto site = static_cast<Index>(k);
@@ -142,7 +136,7 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
   const bool measured = dispatchDimension(sites.dimension,
     [&](auto dimension)
     {
-      return forEachItem(blocksOf(sites), control,
+      return forEachItem(siteBlocks(sites), control,
         [&](Offset k)
         {
           const auto site = static_cast<Index>(k);
@@ -160,7 +154,7 @@ Status NeighborLists::measureDisplacements(const Sites& sites, const RunControl&
       {
         Place& place = m_places[site];
         place.approach = this->approachOf(site, place.count);
-        place.leapers = infinity;
+        place.leapers = unlimited;
       });
   return compared ? Status::success() : Status::cancelled();
 }
@@ -284,7 +278,7 @@ bool NeighborLists::makeLists(
         {
           Place& place = m_places[site];
           place.approach = 0.0;
-          place.leapers = infinity;
+          place.leapers = unlimited;
           place.count.store(this->makeList(site, within, nearby, found), std::memory_order_release);
           former = place.radius;
         });

@@ -17,6 +17,7 @@
 #define remesh_NeighborLists_h
 
 #include "Embedding/Distance.h"
+#include "Support/Parallel.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
 #include "Voronoi/Leapers.h"
@@ -32,6 +33,12 @@
 namespace remesh
 {
 class NearbySites;
+
+/** In which what is done for each site is shared out. */
+inline Blocks siteBlocks(const Sites& sites)
+{
+  return Blocks::cut(sites.count(), 1024, 4096);
+}
 
 /** The first neighbours of a site, itself left out, by distances when the list was built. */
 struct NeighborList

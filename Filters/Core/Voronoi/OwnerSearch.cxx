@@ -11,8 +11,7 @@ namespace remesh
 namespace
 {
 /** Far above the rounding of values, in parts of the largest squared distance that matters. */
-constexpr double relativeRounding = 1e-12;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double roundingOfTie = 1e-12;
 }
 
 template <int D>
@@ -98,7 +97,7 @@ bool OwnerSearch<D>::findNearerPacked(const double* point, Index owner, Nearer& 
   }
   const double least = m_least(
     { m_packs->of(owner, count), m_packs->stride(), count, m_offset.data(), d, m_values.data() });
-  if (std::abs(least) <= relativeRounding * farthest * farthest)
+  if (std::abs(least) <= roundingOfTie * farthest * farthest)
   {
     return false;
   }
@@ -128,7 +127,7 @@ typename OwnerSearch<D>::Nearer OwnerSearch<D>::findNearer(const double* point, 
   Nearer result;
   result.owned = squaredDistance<D>(m_sites.site(owner), point, d);
   const double radius = std::sqrt(result.owned);
-  double second = infinity; // squared
+  double second = std::numeric_limits<double>::infinity(); // squared
   NeighborWalk walk(m_lists, m_longer, owner);
   int steps = 0;
   while (walk.next([&](double least) { return security.excludes(least, radius, radius); }))

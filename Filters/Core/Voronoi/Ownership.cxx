@@ -15,7 +15,7 @@ namespace remesh
 namespace
 {
 /** Far above the rounding of distances, far below the spacing of sites. */
-constexpr double relativeRounding = 1e-12;
+constexpr double roundingOfLead = 1e-12;
 constexpr float noLead = -1.0F;
 /** With fewer corners to a site, looking after the sites costs more than it saves. */
 constexpr Index minCorners = 4;
@@ -24,7 +24,7 @@ constexpr float told = std::numeric_limits<float>::infinity();
 /** The sum of a lead and the drift, to be compared with later drifts. */
 float kept(double owned, double others, double radius, double drift)
 {
-  const double lead = std::min(others - owned - relativeRounding * (others + owned), radius);
+  const double lead = std::min(others - owned - roundingOfLead * (others + owned), radius);
   if (owned > radius || lead <= 0.0)
   {
     return noLead;

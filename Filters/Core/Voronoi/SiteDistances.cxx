@@ -8,7 +8,7 @@ namespace remesh
 {
 namespace
 {
-struct Evaluation
+struct DistanceEvaluation
 {
   template <class L>
   [[gnu::always_inline]] static inline void run(const SiteDistances& task)
@@ -32,6 +32,6 @@ struct Evaluation
 
 SiteDistanceEvaluation siteDistanceEvaluation(InstructionSet set)
 {
-  return CompiledInLanes<Evaluation, const SiteDistances&>::select(set);
+  return CompiledInLanes<DistanceEvaluation, const SiteDistances&>::select(set);
 }
 }

@@ -13,11 +13,6 @@ namespace
 /** The part of its list's reach that a site starts with as radius; at a third it ends. */
 constexpr double partOfReach = 0.26;
 
-Blocks blocksOf(const Sites& sites)
-{
-  return Blocks::cut(sites.count(), 1024, 4096);
-}
-
 double firstRadius(Index site, const NeighborLists& lists)
 {
   const NeighborList list = lists.list(site);
@@ -36,7 +31,7 @@ bool SiteDrift::measureMoves(const Sites& sites, const RunControl& control)
   return dispatchDimension(sites.dimension,
     [&](auto dimension)
     {
-      return forEachItem(blocksOf(sites), control,
+      return forEachItem(siteBlocks(sites), control,
         [&](Offset k)
         {
           const auto site = static_cast<Index>(k);
@@ -57,7 +52,7 @@ Status SiteDrift::update(const Sites& sites, const NeighborLists& lists, const R
     m_last = sites;
   }
   const bool done = this->measureMoves(sites, control.silent()) &&
-    forEachItem(blocksOf(sites), control.silent(),
+    forEachItem(siteBlocks(sites), control.silent(),
       [&](Offset k)
       {
         const auto site = static_cast<Index>(k);
