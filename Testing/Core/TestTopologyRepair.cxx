@@ -83,9 +83,9 @@ void testMovesOnlyDonors()
     const test::Computed result = test::computed(surface, sites);
     const test::DualOf made = test::dualOf(mesh, surface, result);
     Certificate certificate;
-    CHECK(certify({ surface, made.joins, result.diagram, made.components }, made.dual, RunControl(),
-      certificate)
-            .ok());
+    CHECK(
+      certify({ made.joins, result.diagram, made.components }, made.dual, RunControl(), certificate)
+        .ok());
     const VertexPlaces places{ surface, result.sites, result.diagram };
     const Refinement refinement =
       refineTopology({ places, made.components, made.dual }, certificate, false);

@@ -29,11 +29,11 @@ public:
     , m_diagram(cells.diagram)
     , m_components(cells.components)
     , m_seams(cells.seams)
-    , m_isPinched(static_cast<std::size_t>(m_components.count()), 0)
-    , m_hasCollar(m_isPinched.size(), 0)
-    , m_meetsCollar(m_isPinched.size(), 0)
-    , m_fromCollar(m_isPinched.size(), 0)
-    , m_parts(m_diagram.sites.size() + m_isPinched.size())
+    , m_inSeam(static_cast<std::size_t>(m_components.count()), 0)
+    , m_isPinched(m_inSeam.size(), 0)
+    , m_hasCollar(m_inSeam.size(), 0)
+    , m_fromCollar(m_inSeam.size(), 0)
+    , m_parts(m_seams ? m_diagram.sites.size() + m_inSeam.size() : 0)
   {
     this->prepareSeams();
   }
@@ -51,8 +51,7 @@ public:
       ofOneSite =
         ofOneSite && m_diagram.sites[piece] == m_diagram.sites[m_components.pieces[begin]];
     }
-    const Index parts =
-      ofOneSite ? 1 + this->isCollarApart(component) : this->countParts(component);
+    const Index parts = ofOneSite && !m_inSeam[component] ? 1 : this->countParts(component);
     return sum == whole * parts && (parts == 1 || m_isPinched[component]);
   }
 
@@ -69,6 +68,7 @@ private:
       if (const Index component = m_seams->components[p]; component != noIndex)
       {
         const CollarShape shape = m_seams->collars[p];
+        m_inSeam[component] = 1;
         m_hasCollar[component] = shape != CollarShape::None;
         m_fromCollar[component] += shape == CollarShape::Disk ? whole : 0;
       }
@@ -76,9 +76,7 @@ private:
     m_seams->forEachPinch([&](Index component, const Pinch&) { m_isPinched[component] = 1; });
     for (const Contact& contact : m_seams->contacts)
     {
-      const Index component = m_components.ofPiece[contact.piece];
-      m_meetsCollar[component] = 1;
-      m_fromCollar[component] += ofTwo * (contact.innerEnds - 2);
+      m_fromCollar[m_components.ofPiece[contact.piece]] += ofTwo * (contact.innerEnds - 2);
       m_contacts.push_back(contact.piece);
     }
     std::sort(m_contacts.begin(), m_contacts.end());
@@ -166,11 +164,6 @@ private:
     return m_diagram.pieceOf(around[around[0] == facet ? 1 : 0], m_diagram.sites[piece]);
   }
 
-  bool isCollarApart(Index component) const
-  {
-    return m_hasCollar[component] && !m_meetsCollar[component];
-  }
-
   /** Walks from piece to piece, and through the collar. */
   Index countParts(Index component)
   {
@@ -194,7 +187,7 @@ private:
         m_parts.unite(piece, collar);
       }
     }
-    Index parts = this->isCollarApart(component) ? 1 : 0;
+    Index parts = m_hasCollar[component] && m_parts.isLowest(collar) ? 1 : 0;
     for (Offset p = begin; p < end; ++p)
     {
       parts += m_parts.isLowest(m_components.pieces[p]);
@@ -206,12 +199,13 @@ private:
   const Diagram& m_diagram;
   const Components& m_components;
   const Seams* m_seams;
-  std::vector<char> m_isPinched; ///< components, as all that follows but for `m_contacts`
+  std::vector<char> m_inSeam; ///< components of vertices on features
+  std::vector<char> m_isPinched;
   std::vector<char> m_hasCollar;
-  std::vector<char> m_meetsCollar; ///< some piece does
   std::vector<Index> m_fromCollar; ///< components: what the collar adds
   std::vector<Index> m_contacts;   ///< pieces that meet their own collar, ascending
-  DisjointSets m_parts;            ///< of pieces, and of each component's collar behind them
+  /** Of pieces, and of each component's collar behind them: fewer than a diagram has vertices. */
+  DisjointSets m_parts;
 };
 }
 

@@ -13,7 +13,6 @@ namespace remesh
 /** The cells of a diagram, as a complex of pieces. */
 struct CellComplex
 {
-  const EmbeddedSurface& surface;
   const FacetJoins& joins;
   const Diagram& diagram;
   const Components& components;

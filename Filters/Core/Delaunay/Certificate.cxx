@@ -14,7 +14,7 @@ using Pair = std::pair<Index, Index>;
 template <class Add>
 void addOnEdge(const CellComplex& cells, Index facet, Index edge, const Add& add)
 {
-  const auto& [surface, joins, diagram, components, seams] = cells;
+  const auto& [joins, diagram, components, seams] = cells;
   for (Offset p = diagram.facetBegin[facet]; p < diagram.facetBegin[facet + 1]; ++p)
   {
     for (Offset v = diagram.vertexBegin[p]; v < diagram.vertexBegin[p + 1]; ++v)

@@ -35,23 +35,30 @@ void joinAcrossEdges(
   }
 }
 
-/** Joins the pieces around each corner: all belong to the cell that owns it. */
-void joinAroundCorners(const JoinedDiagram& joined, Index facet, DisjointSets& sets)
+/**
+ * Joins the pieces around each corner: all belong to the cell that owns it. Each is joined to the
+ * first that was met there, whichever that is.
+ */
+bool joinAroundCorners(const EmbeddedSurface& surface, const Diagram& diagram,
+  const std::vector<Index>& owners, const RunControl& control, DisjointSets& sets)
 {
-  const Diagram& diagram = joined.places.diagram;
-  for (const Index corner : joined.places.surface.facetCorners[facet])
-  {
-    if (const Index first = joined.joins.firstFacets[corner]; first != facet)
-    {
-      const Index owner = joined.owners[corner];
-      const Offset piece = diagram.pieceOf(facet, owner);
-      const Offset other = diagram.pieceOf(first, owner);
-      if (piece >= 0 && other >= 0)
+  std::vector<std::atomic<Index>> metPieces(owners.size());
+  return forEachItem(static_cast<Offset>(owners.size()), control,
+           [&](Offset corner) { metPieces[corner].store(noIndex, std::memory_order_relaxed); }) &&
+    forEachItem(surface.numberOfFacets(), control,
+      [&](Offset f)
       {
-        sets.unite(static_cast<Index>(piece), static_cast<Index>(other));
-      }
-    }
-  }
+        const auto facet = static_cast<Index>(f);
+        for (const Index corner : surface.facetCorners[facet])
+        {
+          const auto piece = static_cast<Index>(diagram.pieceOf(facet, owners[corner]));
+          Index met = noIndex;
+          if (piece >= 0 && !metPieces[corner].compare_exchange_strong(met, piece))
+          {
+            sets.unite(met, piece);
+          }
+        }
+      });
 }
 
 /** Joins the pieces of all copies of a feature's site at its place. */
@@ -208,8 +215,7 @@ Status findComponents(
   if (!forEachItem(diagram.numberOfPieces(), silent,
         [&](Offset piece)
         { joinAcrossEdges(joined.joins.edges, diagram, static_cast<Index>(piece), sets); }) ||
-    !forEachItem(joined.mesh.numberOfFacets(), silent,
-      [&](Offset facet) { joinAroundCorners(joined, static_cast<Index>(facet), sets); }))
+    !joinAroundCorners(joined.places.surface, diagram, joined.owners, silent, sets))
   {
     return Status::cancelled();
   }

@@ -30,38 +30,31 @@ FacetJoins joinFacets(const EmbeddedSurface& surface, EdgeTable edges, const Run
 {
   FacetJoins joins;
   joins.edges = std::move(edges);
-  joins.firstFacets.resize(static_cast<std::size_t>(surface.numberOfCorners()));
   joins.bits.resize(static_cast<std::size_t>(surface.numberOfFacets()));
   const std::vector<char> onBorder = findBorder(surface, joins.edges);
-  LowestItems first(joins.firstFacets.size());
+  LowestItems firstFacets(onBorder.size());
   const RunControl silent = control.silent();
-  forEachItem(surface.numberOfFacets(), silent,
-    [&](Offset facet)
-    {
-      for (const Index corner : surface.facetCorners[facet])
-      {
-        first.add(static_cast<std::size_t>(corner), facet);
-      }
-    }) &&
-    forEachItem(surface.numberOfCorners(), silent,
-      [&](Offset corner)
-      {
-        const auto key = static_cast<std::size_t>(corner);
-        joins.firstFacets[key] = first.has(key) ? static_cast<Index>(first[key]) : noIndex;
-      }) &&
+  const bool done = forEachItem(surface.numberOfFacets(), silent,
+                      [&](Offset facet)
+                      {
+                        for (const Index corner : surface.facetCorners[facet])
+                        {
+                          firstFacets.add(static_cast<std::size_t>(corner), facet);
+                        }
+                      }) &&
     forEachItem(surface.numberOfFacets(), silent,
       [&](Offset facet)
       {
         unsigned bits = 0;
         for (int k = 0; k < 3; ++k)
         {
-          const Index corner = surface.facetCorners[facet][k];
+          const auto corner = static_cast<std::size_t>(surface.facetCorners[facet][k]);
           const bool inner = joins.edges.valence(joins.edges.facetEdges[facet][k]) == 2;
-          const bool counts = !onBorder[corner] && joins.firstFacets[corner] == facet;
+          const bool counts = !onBorder[corner] && firstFacets[corner] == facet;
           bits |= (inner ? 1U : 0U) << k | (counts ? 8U : 0U) << k;
         }
         joins.bits[facet] = static_cast<unsigned char>(bits);
       });
-  return joins;
+  return done ? joins : FacetJoins{};
 }
 }

@@ -13,7 +13,7 @@ namespace remesh
 namespace
 {
 constexpr int directions = 5; // of a half turn: an ellipse has two harmonics
-constexpr int maxTurns = 3;
+constexpr int maxFits = 3;
 constexpr double unchanged = 0.03;  // relative, of squares of lengths: an ellipse that stays
 constexpr int maxFacets = 400;      // that half an edge crosses
 constexpr double maxSkewness = 0.9; // of an ellipse in the one before: it stays one
@@ -329,7 +329,7 @@ FittedEllipse fitEllipse(const Place& at, const Tensor2& root)
 Tensor2 limitedAt(const Place& at)
 {
   Tensor2 tensor = at.tensor;
-  for (int round = 0; round < maxTurns; ++round)
+  for (int round = 0; round < maxFits; ++round)
   {
     const Tensor2 root = squareRoot(tensor);
     const FittedEllipse fit = fitEllipse(at, root);

@@ -181,8 +181,8 @@ Status SiteCandidate::findDual(const RunControl& control)
     status = dropHangingTriangles(components, *seams, control, m_result.dual);
     components.apexes = componentsAt(joined, m_task.features->apexes, components);
   }
-  return status.ok() ? certify({ m_task.surface, m_joins, m_result.diagram, components, seams },
-                         m_result.dual, control.step(2, 3), m_result.topology.certificate)
+  return status.ok() ? certify({ m_joins, m_result.diagram, components, seams }, m_result.dual,
+                         control.step(2, 3), m_result.topology.certificate)
                      : status;
 }
 

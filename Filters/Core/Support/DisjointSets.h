@@ -38,7 +38,8 @@ public:
     while (parent != item)
     {
       const Index above = m_parents[parent].load(std::memory_order_relaxed);
-      if (above != parent) // then the item is no root any more, and any item above it will do
+      // No root, and never one again: no one unites it, and any item above it will do.
+      if (above != parent)
       {
         m_parents[item].store(above, std::memory_order_relaxed);
       }
