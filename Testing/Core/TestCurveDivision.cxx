@@ -12,7 +12,6 @@ using namespace remesh;
 
 namespace
 {
-
 /** The embedded length is that in R^3, times a scale. */
 Course courseThrough(const std::vector<Point3>& points, bool isRound = false, double scale = 1.0)
 {

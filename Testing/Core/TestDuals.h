@@ -6,6 +6,7 @@
 #define remesh_TestDuals_h
 
 #include "Delaunay/Dual.h"
+#include "Delaunay/FacetJoins.h"
 #include "TestDiagrams.h"
 
 #include <set>
@@ -26,10 +27,10 @@ inline DualOf dualOf(
 {
   DualOf made;
   made.joins = joinFacets(surface, buildEdgeTable(mesh.facetPoints), RunControl());
-  CHECK(
-    findComponents({ mesh, { surface, result.sites, result.diagram }, made.joins, result.owners },
-      RunControl(), made.components)
-      .ok());
+  CHECK(findComponents(
+    { mesh, { surface, result.sites, result.diagram }, made.joins.edges, result.owners },
+    RunControl(), made.components)
+          .ok());
   CHECK(buildDual(result.diagram, made.components, RunControl(), made.dual).ok());
   return made;
 }

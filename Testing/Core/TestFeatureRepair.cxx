@@ -52,19 +52,13 @@ struct Framed
     this->featureSites = makeFeatureSites(this->view(), stations);
   }
 
-  FacetJoins joins() const
-  {
-    return joinFacets(
-      this->surface, buildCutEdgeTable(this->mesh, &this->features, RunControl()), RunControl());
-  }
-
   Seams sew() const
   {
     const Sites& sites = this->featureSites.sites;
     const test::Computed cells = test::computed(this->surface, sites);
-    const FacetJoins joins = this->joins();
+    const EdgeTable edges = buildCutEdgeTable(this->mesh, &this->features, RunControl());
     Components components;
-    CHECK(findComponents({ this->mesh, { this->surface, sites, cells.diagram }, joins, cells.owners,
+    CHECK(findComponents({ this->mesh, { this->surface, sites, cells.diagram }, edges, cells.owners,
                            &this->featureSites },
       RunControl(), components)
             .ok());
@@ -198,11 +192,11 @@ void testCoarseSections()
   Framed strip(strips(1, 0.05), 0.0);
   strip.divide([&](const FeatureCurve& curve)
     { return strip.mesh.points[curve.points[1]].y() == 0.0 ? 20 : 1; });
-  const FacetJoins joins = strip.joins();
+  const EdgeTable edges = buildCutEdgeTable(strip.mesh, &strip.features, RunControl());
   const Sites& sites = strip.featureSites.sites;
   const test::Computed cells = test::computed(strip.surface, sites);
   Components components;
-  CHECK(findComponents({ strip.mesh, { strip.surface, sites, cells.diagram }, joins, cells.owners,
+  CHECK(findComponents({ strip.mesh, { strip.surface, sites, cells.diagram }, edges, cells.owners,
                          &strip.featureSites },
     RunControl(), components)
           .ok());

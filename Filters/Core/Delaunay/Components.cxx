@@ -214,7 +214,7 @@ Status findComponents(
   DisjointSets sets(diagram.sites.size());
   if (!forEachItem(diagram.numberOfPieces(), silent,
         [&](Offset piece)
-        { joinAcrossEdges(joined.joins.edges, diagram, static_cast<Index>(piece), sets); }) ||
+        { joinAcrossEdges(joined.edges, diagram, static_cast<Index>(piece), sets); }) ||
     !joinAroundCorners(joined.places.surface, diagram, joined.owners, silent, sets))
   {
     return Status::cancelled();

@@ -9,7 +9,6 @@
 #ifndef remesh_Components_h
 #define remesh_Components_h
 
-#include "Delaunay/FacetJoins.h"
 #include "Features/FeatureSites.h"
 #include "Support/RunControl.h"
 #include "Support/Status.h"
@@ -39,7 +38,7 @@ struct JoinedDiagram
 {
   const SurfaceMesh& mesh;
   VertexPlaces places;
-  const FacetJoins& joins;
+  const EdgeTable& edges;                 ///< of the surface as it is embedded
   const std::vector<Index>& owners;       ///< C, the site that owns each corner
   const FeatureSites* features = nullptr; ///< the sites on features, if there are any
 };

@@ -55,6 +55,10 @@ FacetJoins joinFacets(const EmbeddedSurface& surface, EdgeTable edges, const Run
         }
         joins.bits[facet] = static_cast<unsigned char>(bits);
       });
-  return done ? joins : FacetJoins{};
+  if (!done)
+  {
+    joins = FacetJoins{};
+  }
+  return joins;
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @file FacetJoins.h
- * @brief How the facets of the surface hang together, as components and their disks ask for it.
+ * @brief How the facets of the surface hang together, and what a whole one adds to its cell.
  */
 #ifndef remesh_FacetJoins_h
 #define remesh_FacetJoins_h

@@ -14,8 +14,8 @@ namespace
 constexpr int spare = 3;              // functions beyond those wanted, for faster convergence
 constexpr int iterations = 10;        // the start is near then
 constexpr std::uint64_t drawing = 17; // a stream of random numbers of its own
-constexpr double minShareOfLargest =
-  1e-10; // of the largest eigenvalue: below, functions are dependent
+/** Of the largest eigenvalue: below, functions are dependent. */
+constexpr double minShareOfLargest = 1e-10;
 
 /** The points of each component, and matrices summed over them in fixed blocks. */
 class ComponentSums

@@ -12,8 +12,8 @@ namespace remesh
 namespace
 {
 constexpr Offset fewPieces = 64; // of a cell: all are looked at
-constexpr double asCloseAsRounding =
-  1e-9; // of squared distances, which must not rule out what is as close
+/** Of squared distances, which must not rule out what is as close. */
+constexpr double roundingOfSquared = 1e-9;
 
 Point3 centroidOf(const std::array<Point3, 3>& corners)
 {
@@ -121,7 +121,7 @@ SurfaceLocation NearbySurface::closest(
     }
     m_bounds->boxes.visitLeaves(
       static_cast<Index>(first / leafSize), static_cast<Index>((last - 1) / leafSize), point,
-      [&](double squared) { return squared <= (1.0 + asCloseAsRounding) * nearest2; },
+      [&](double squared) { return squared <= (1.0 + roundingOfSquared) * nearest2; },
       [&](Index leaf)
       {
         const Offset at = static_cast<Offset>(leaf) * leafSize;

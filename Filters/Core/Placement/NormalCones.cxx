@@ -11,8 +11,8 @@ namespace remesh
 {
 namespace
 {
-constexpr double coneRounding =
-  1e-6; // of the sine of a narrow cone's angle, at most, and far above it
+/** Of the sine of a narrow cone's angle, at most, and far above it. */
+constexpr double coneRounding = 1e-6;
 
 /**
  * The least cosine of a vector to the axis that makes it less than 90 degrees with all in the cone:

@@ -163,7 +163,7 @@ Status SiteCandidate::measureSurface(const RunControl& control)
 /** The dual of the diagram, and whether it is proven to be like the surface. */
 Status SiteCandidate::findDual(const RunControl& control)
 {
-  const JoinedDiagram joined{ m_task.mesh, this->places(), m_joins, m_owners,
+  const JoinedDiagram joined{ m_task.mesh, this->places(), m_joins.edges, m_owners,
     m_task.features ? &m_result.featureSites : nullptr };
   Seams* seams = m_task.features ? &m_result.seams : nullptr;
   Components& components = m_result.components;
